@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_ADAPTATION_REPORT_H
+#define CGAL_QUAD_MESH_ADAPTATION_ADAPTATION_REPORT_H
+
+#include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+/// How a call ended.  In the last three cases the caller's mesh is as it was.
+enum class Adaptation_status
+{
+  sizes_met, ///< every face (paper's schedule: every face but the paper's tolerance) is within its
+             ///< size
+  sizes_not_met, ///< a valid mesh was made, but some faces are larger than asked; see `message`
+  input_refused, ///< the mesh cannot be adapted; `reason` and `entity` say why and where
+  sizes_refused, ///< the sizing function gave a value that is not a positive finite number
+  cancelled      ///< the visitor or the callback asked to stop
+};
+
+/// Why an input was refused.
+enum class Refusal
+{
+  none,
+  empty_mesh,
+  not_all_quads,
+  non_manifold,
+  non_orientable,
+  degenerate_face,
+  non_finite_coordinate,
+  invalid_size,
+  invalid_parameter,
+  unreadable_file,
+  unwritable_file
+};
+
+/// What an operation of the adaptation did, by name ("face close", "chord removal" ...).
+struct Operation_count
+{
+  std::string name;
+  std::size_t count = 0;
+};
+
+/// Wall-clock seconds spent in a phase.
+struct Phase_time
+{
+  std::string name;
+  double seconds = 0;
+};
+
+/// Everything a call to `adapt_quad_mesh()` or to one of the phases tells about itself.
+struct Adaptation_report
+{
+  Adaptation_status status = Adaptation_status::sizes_met;
+  Refusal reason = Refusal::none;
+  /// One sentence for a person, without a final full stop; empty when all went well.
+  std::string message;
+  /// The entity that was refused, as a number in the order of iteration over the mesh
+  /// (a vertex or a face, as `message` says); -1 when no single entity is to blame.
+  long entity = -1;
+
+  Mesh_measures before, after; ///< filled unless the input was refused
+  std::size_t iterations = 0;  ///< passes of the driver's loop
+  std::vector<Operation_count> operations;
+  std::vector<Phase_time> times;
+  /// Faces larger than asked at the end, as positions in the iteration order of the mesh's faces.
+  std::vector<std::size_t> faces_too_large;
+
+  bool has_valid_mesh() const
+  {
+    return status == Adaptation_status::sizes_met || status == Adaptation_status::sizes_not_met;
+  }
+};
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_ADAPTATION_REPORT_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_GEOMETRY_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_GEOMETRY_H
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// The heavy code runs on doubles, whatever the kernel of the caller's mesh: one instantiation,
+// and a vertex that did not move keeps the caller's point untouched.
+using Core_kernel = CGAL::Simple_cartesian<double>;
+using Vec = Core_kernel::Vector_3; // a position or a difference of positions
+using Index = std::int32_t;        // vertex, face or half-edge number; -1 is none
+using Quad = std::array<Index, 4>;
+
+// The caller's sizing field behind one type: target edge length at a position.
+using Size_function = std::function<double(const Vec&)>;
+
+inline double dot(const Vec& a, const Vec& b) { return a * b; }
+inline Vec cross(const Vec& a, const Vec& b)
+{
+  return Vec(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
+             a.x() * b.y() - a.y() * b.x());
+}
+inline double norm(const Vec& a) { return std::sqrt(a * a); }
+inline double distance(const Vec& a, const Vec& b) { return norm(a - b); }
+inline Vec normalized(const Vec& a)
+{
+  const double n = norm(a);
+  return n > 0 ? a / n : Vec(0, 0, 0);
+}
+inline bool is_finite(const Vec& a)
+{
+  return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_GEOMETRY_H

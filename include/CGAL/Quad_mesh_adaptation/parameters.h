@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_PARAMETERS_H
+#define CGAL_QUAD_MESH_ADAPTATION_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+/// The order and aim of the phases.
+enum class Schedule
+{
+  progressive, ///< the default: sizes approached by levels, one energy, size-aware smoothing, last
+               ///< resort
+  paper        ///< section 3.3 of Anderson, Benzley and Owen (2009), step by step
+};
+
+// The package's own named parameters.  CGAL's chain members are generated inside CGAL, so each
+// of these is a free function that starts a chain, or takes the rest of the chain as second
+// argument: `schedule(Schedule::paper).number_of_iterations(9)`, `feature_angle(40, np)`.
+
+enum schedule_t
+{
+  schedule_tag
+};
+enum feature_angle_t
+{
+  feature_angle_tag
+};
+enum reference_surface_t
+{
+  reference_surface_tag
+};
+
+/// Which schedule to run; default `Schedule::progressive`.
+inline Named_function_parameters<Schedule, schedule_t> schedule(Schedule s)
+{
+  return Named_function_parameters<Schedule, schedule_t>(s);
+}
+template <typename NP>
+Named_function_parameters<Schedule, schedule_t, NP> schedule(Schedule s, const NP& np)
+{
+  return Named_function_parameters<Schedule, schedule_t, NP>(s, np);
+}
+
+/// Angle in degrees at and above which the turn of the surface across an edge makes that edge a
+/// feature curve, and the turn of a curve at a vertex makes that vertex a corner; default 40;
+/// 180 detects nothing.
+inline Named_function_parameters<double, feature_angle_t> feature_angle(double degrees)
+{
+  return Named_function_parameters<double, feature_angle_t>(degrees);
+}
+template <typename NP>
+Named_function_parameters<double, feature_angle_t, NP> feature_angle(double degrees, const NP& np)
+{
+  return Named_function_parameters<double, feature_angle_t, NP>(degrees, np);
+}
+
+/// A finer surface (any `FaceListGraph` of triangles, quads or polygons with the internal
+/// `vertex_point` map) to stay on; its border curves replace those of the input.  Default: the
+/// input.
+template <typename SurfaceMesh>
+Named_function_parameters<std::reference_wrapper<const SurfaceMesh>, reference_surface_t>
+reference_surface(const SurfaceMesh& surface)
+{
+  return Named_function_parameters<std::reference_wrapper<const SurfaceMesh>, reference_surface_t>(
+      std::cref(surface));
+}
+template <typename SurfaceMesh, typename NP>
+Named_function_parameters<std::reference_wrapper<const SurfaceMesh>, reference_surface_t, NP>
+reference_surface(const SurfaceMesh& surface, const NP& np)
+{
+  return Named_function_parameters<std::reference_wrapper<const SurfaceMesh>, reference_surface_t,
+                                   NP>(std::cref(surface), np);
+}
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_PARAMETERS_H
