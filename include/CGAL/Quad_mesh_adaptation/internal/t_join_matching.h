@@ -47,9 +47,10 @@ inline std::vector<Index> exact_matching(const std::vector<std::vector<double>>&
 }
 
 /// A perfect matching of terminals, improved by alternating cycles over a sparse list of allowed
-/// pairs.  It ends without a cycle of at most `max_pairs` pairs that would make it shorter (a cycle
-/// that shortens has a start from which every partial gain is positive, as in Lin and Kernighan's
-/// heuristic, so the search may drop all others), unless `max_steps` of a search were used up.
+/// pairs: exchanges of partners among up to `max_pairs` pairs that make the matching shorter.  Two
+/// rules keep a search short.  A cycle that shortens has a start from which every partial gain is
+/// positive (as in Lin and Kernighan's heuristic), so only those are followed; and a terminal is
+/// left again only with a larger gain than before.  `max_steps` bounds the work of one search.
 class Alternating_cycles
 {
 public:
@@ -65,7 +66,7 @@ public:
 
   Alternating_cycles(std::size_t n, std::size_t max_pairs, std::size_t max_steps)
       : near(n), mate(n, -1), mate_length(n, 0), from_forest(n, 0), m_max_pairs(max_pairs),
-        m_max_steps(max_steps), m_used(n, 0)
+        m_max_steps(max_steps), m_used(n, 0), m_reached(n, 0), m_best_gain(n, 0)
   {
   }
 
@@ -137,6 +138,7 @@ private:
   {
     m_start = start;
     m_steps = 0;
+    ++m_search;
     m_added.clear();
     m_used[start] = m_used[mate[start]] = 1;
     // A gain below the rounding of the sums is none: the loop over cycles must end.
@@ -157,6 +159,9 @@ private:
       if(m_used[c] || mate[c] < 0) continue;
       const Index d = mate[c];
       const double open_gain = gain - x.length + mate_length[c];
+      if(m_reached[d] == m_search && open_gain <= m_best_gain[d]) continue;
+      m_reached[d] = m_search;
+      m_best_gain[d] = open_gain;
       m_added.emplace_back(end, c);
       if(open_gain - length_of_pair(d, m_start) > m_least_gain + 1e-12 * open_gain) {
         m_added.emplace_back(d, m_start);
@@ -175,6 +180,9 @@ private:
 
   std::size_t m_max_pairs, m_max_steps, m_steps = 0;
   std::vector<char> m_used;
+  std::size_t m_search = 0;
+  std::vector<std::size_t> m_reached; // last search in which the terminal was the open end,
+  std::vector<double> m_best_gain;    // and its best gain then
   Index m_start = -1;
   double m_least_gain = 0;
   std::vector<std::pair<Index, Index>> m_added;
