@@ -84,7 +84,7 @@ Problem random_problem(std::mt19937& random, std::size_t max_edges)
 {
   Problem p;
   p.n = 2 + random() % 9;
-  const std::size_t m = 1 + random() % max_edges;
+  const std::size_t m = (p.n + max_edges) / 2 - random() % (max_edges / 2);
   const bool has_ties = random() % 2;
   for(std::size_t i = 0; i < m; ++i) {
     const double w = has_ties ? double(random() % 4) : 1e-3 * double(random() % 5000);
@@ -232,7 +232,7 @@ TEST(T_join, LargeGrids)
     forest.exact_limit = forest.neighbours = 0;
     const T_join first = minimum_weight_t_join(p.n, p.edges, p.odd, forest);
     expect_join(p, first);
-    EXPECT_LT(j.weight, 0.95 * first.weight);
+    EXPECT_LE(j.weight, (share < 0.01 ? 1 : 0.95) * first.weight);
     EXPECT_EQ(minimum_weight_t_join(p.n, p.edges, p.odd).in_join, j.in_join);
   }
 }
