@@ -40,20 +40,21 @@ int refuse(const std::string& message, int exit_code = exit_refused)
 // 0, or the exit code after having said why.
 int read_sizes(const Options& options, Size_function& size)
 {
-  if(options.size.empty()) {
+  if(!options.size) {
     Size_expression expression;
     std::string message;
-    if(!expression.parse(options.size_function, message))
+    if(!expression.parse(*options.size_function, message))
       return refuse("--size-function: " + message + "; see quad_adapt --help", exit_wrong_usage);
     size = expression;
     return 0;
   }
+  const std::string& text = *options.size;
   char* end = nullptr;
-  const double value = std::strtod(options.size.c_str(), &end);
-  if(options.size.find_first_not_of(" \t") == std::string::npos || *end != 0)
-    return refuse("--size: \"" + options.size + "\" is not a number");
+  const double value = std::strtod(text.c_str(), &end);
+  if(text.find_first_not_of(" \t") == std::string::npos || *end != 0)
+    return refuse("--size: \"" + text + "\" is not a number");
   if(!(value > 0) || !std::isfinite(value))
-    return refuse("--size: " + options.size + " is not a positive finite length");
+    return refuse("--size: " + text + " is not a positive finite length");
   size = [value](const Point&) { return value; };
   return 0;
 }

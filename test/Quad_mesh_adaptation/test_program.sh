@@ -39,7 +39,7 @@ expect() {
   status=$?
   after=$(listing)
   [ "$status" -eq "$code" ] || fail "exit code $status instead of $code: quad_adapt $*"
-  grep -qiE -e "$pattern" .err || fail "the message does not match '$pattern': quad_adapt $*"
+  [ -z "$pattern" ] || grep -qiE -e "$pattern" .err || fail "the message does not match '$pattern': quad_adapt $*"
   case $code in
     0 | 3) ;;
     *)
@@ -106,7 +106,7 @@ rm -f out.* again.* report.json picture.svg
 refuse 'face 0 has 3 vertices' "OFF\n4 2 0\n${square}3 0 1 2\n3 0 2 3\n"
 refuse 'shared by 3 faces' "OFF\n8 3 0\n${square}1 0 1\n1 1 1\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 6 7 2\n4 1 4 5 2\n"
 refuse 'share no edge' "OFF\n7 2 0\n${square}2 1 0\n2 2 0\n1 2 0\n4 0 1 2 3\n4 2 4 5 6\n"
-refuse 'one-sided' "OFF\n6 3 0\n1 0 0\n1 0 1\n-1 1 0\n-1 1 1\n-1 -1 0\n-1 -1 1\n4 0 1 3 2\n4 2 3 5 4\n4 4 5 0 1\n"
+refuse 'one-sided' "OFF\n6 3 0\n1 0 0\n1 0.5 1\n-1 1 0\n-1 1 1\n-1 -1 0\n-1 -1 1\n4 0 1 3 2\n4 2 3 5 4\n4 4 5 0 1\n"
 refuse 'degenerate' "OFF\n4 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 1 2 3\n"
 refuse 'same place' "OFF\n4 1 0\n0 0 0\n1 0 0\n1 0 0\n0 1 0\n4 0 1 2 3\n"
 refuse 'vertex 2 .*not finite' "OFF\n4 1 0\n0 0 0\n1 0 0\n1 nan 0\n0 1 0\n4 0 1 2 3\n"
@@ -169,7 +169,7 @@ done
 grid 40 >large.off
 before=$(listing)
 set -m
-"$program" large.off out.off --size 0.01 --quiet >.out 2>.err &
+"$program" large.off out.off --size 0.05 --quiet >.out 2>.err &
 child=$!
 sleep 1
 kill -INT "$child"

@@ -120,8 +120,10 @@ TEST(Picture, PaintsFromBackToFront)
   picture.add_sizing(mesh, size, "sizes");
   const std::string svg = picture.svg();
   const std::string faces = svg.substr(svg.find("<g class=\"faces\">"));
-  const std::size_t near = faces.find(internal::hex(internal::size_colour(0))),
-                    far = faces.find(internal::hex(internal::size_colour(1)));
+  const internal::Picture_view view = internal::view_from(Vec(0, 0, 1), Vec(0, 1, 0));
+  const double shade = 0.5 + 0.5 * internal::shade_of(view, Vec(0, 0, 1));
+  const std::size_t near = faces.find(internal::hex(internal::size_colour(0), shade)),
+                    far = faces.find(internal::hex(internal::size_colour(1), shade));
   ASSERT_NE(near, std::string::npos);
   ASSERT_NE(far, std::string::npos);
   EXPECT_LT(far, near);

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -21,7 +22,7 @@
 struct Options
 {
   std::string input, output;
-  std::string size, size_function; // exactly one is given
+  std::optional<std::string> size, size_function; // exactly one is given
   std::string reference, report, picture;
   std::string schedule = "default";
   double feature_angle = 40;
@@ -92,15 +93,17 @@ inline void describe_options(CLI::App& app, Options& options)
   app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
   app.set_version_flag("--version", "quad_adapt " QUAD_MESH_ADAPTATION_VERSION);
   app.footer(
-      R"(Expressions: + - * / ^ ?: < > == and or, pi, min max abs sqrt exp ln log10 sin cos tan asin acos
-  atan atan2 hypot floor ceil, if(a, b, c), clamp(v, low, high)
-Examples:
-  quad_adapt plate.off adapted.vtk --size-function "0.1 + abs(hypot(x, y) - 4.8)" --picture plate
-          .svg quad_adapt part.obj coarse.obj-- size 2.5 --reference part_fine.ply-- report part
-          .json Exit codes : 0 the mesh was written,
-      all sizes are met 1 input or sizes refused, or an output cannot be written
-      : nothing was written 2 wrong usage 3 a valid mesh was written,
-        but some faces are larger than asked 130 interrupted, nothing was written) ");
+      "Expressions: + - * / ^ ?: < > == && ||, pi, min max abs sqrt exp ln log10 sin cos tan\n"
+      "  asin acos atan atan2 hypot floor ceil, if(a, b, c), clamp(v, low, high)\n"
+      "Examples:\n"
+      "  quad_adapt plate.off adapted.vtk --size-function \"0.1 + abs(hypot(x, y) - 4.8)\"\n"
+      "  quad_adapt part.obj coarse.obj --size 2.5 --reference part_fine.ply --picture part.svg\n"
+      "Exit codes:\n"
+      "  0    the mesh was written, all sizes are met\n"
+      "  1    input or sizes refused, or an output cannot be written: nothing was written\n"
+      "  2    wrong usage\n"
+      "  3    a valid mesh was written, but some faces are larger than asked\n"
+      "  130  interrupted, nothing was written");
 }
 
 /// Reads the command line.  `false` when the program is to end with `exit_code`, everything being
