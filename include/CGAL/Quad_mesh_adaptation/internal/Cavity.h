@@ -109,6 +109,25 @@ public:
     return q;
   }
 
+  // Adds the faces around the cavity as they are, so that relax() may move its border nodes too.
+  void add_halo()
+  {
+    const std::size_t n = ids.size();
+    for(std::size_t i = 0; i < n; ++i) {
+      if(ids[i] < 0) continue;
+      const Index start = s_.mesh.vertex(ids[i]).halfedge;
+      Index h = start;
+      do {
+        const Index f = s_.mesh.face(h);
+        if(!has_old_face(f)) {
+          add_old_face(f);
+          quads.push_back(copy_of(f));
+        }
+        h = s_.mesh.turn_left(h);
+      } while(h >= 0 && h != start);
+    }
+  }
+
   // Checks that the replacement fits: same boundary, manifold, same topology, curves kept, no
   // two edges between the same nodes, no doublet left inside.
   bool close();

@@ -36,6 +36,9 @@ public:
   const std::vector<Vec>& points() const { return points_; }
   const std::vector<double>& arcs() const { return arc_; }
 
+  bool is_constrained() const { return constrained; } // by the caller's map of constrained edges
+
+  bool constrained = false;
   // The corners it runs between, -1 for a closed curve without corner.
   Index first_corner = -1, last_corner = -1;
 

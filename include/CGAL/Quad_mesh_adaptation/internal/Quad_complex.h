@@ -107,6 +107,9 @@ public:
     return find_halfedge(u, v) >= 0 || find_halfedge(v, u) >= 0;
   }
 
+  // Vertices below v are never recycled: they stand for vertices of the caller.
+  void protect_vertices_below(Index v) { first_reusable_ = v; }
+
   // --- building
   Index add_vertex(const Vertex_record& r)
   {
@@ -171,7 +174,7 @@ public:
   {
     vertices_[v].halfedge = -1;
     vertices_[v].faces = 0;
-    free_vertices_.push_back(v);
+    if(v >= first_reusable_) free_vertices_.push_back(v);
   }
 
   // Links all half-edges by their end points and refreshes the vertices.  False, with the
@@ -220,7 +223,7 @@ public:
       if(r.halfedge < 0 || opposite_[h] < 0) r.halfedge = h;
     }
     free_vertices_.clear();
-    for(Index v = vertex_end() - 1; v >= 0; --v)
+    for(Index v = vertex_end() - 1; v >= first_reusable_; --v)
       if(vertices_[v].halfedge < 0) free_vertices_.push_back(v);
   }
 
@@ -270,6 +273,7 @@ private:
   std::vector<Vertex_record> vertices_;
   std::vector<Index> free_faces_, free_vertices_;
   Index face_count_ = 0;
+  Index first_reusable_ = 0;
 };
 
 } // namespace internal
