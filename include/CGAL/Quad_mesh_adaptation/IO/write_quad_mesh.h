@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_IO_WRITE_QUAD_MESH_H
+#define CGAL_QUAD_MESH_ADAPTATION_IO_WRITE_QUAD_MESH_H
+
+#include <CGAL/Quad_mesh_adaptation/IO/File_transaction.h>
+#include <CGAL/Quad_mesh_adaptation/internal/file_names.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_formats.h>
+#include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+/// Whether `write_quad_mesh()` knows the format that the extension of `file` names.
+inline bool is_mesh_format_known(const std::string& file)
+{
+  const std::string extension = internal::extension_of(file);
+  return extension == "off" || extension == "obj" || extension == "ply" || extension == "vtk" ||
+         extension == "vtu";
+}
+
+/// The contents of the file that `write_quad_mesh()` would write; for a `File_transaction` of
+/// several files.  Precondition: `is_mesh_format_known(file)` and fields of the right lengths.
+template <class QuadMesh>
+std::string quad_mesh_file_contents(const std::string& file, const QuadMesh& mesh,
+                                    const Mesh_fields& fields = {})
+{
+  const internal::Polygon_soup soup = internal::soup_of_mesh(mesh);
+  const std::string extension = internal::extension_of(file);
+  if(extension == "off") return internal::to_off(soup);
+  if(extension == "obj") return internal::to_obj(soup);
+  if(extension == "ply") return internal::to_ply(soup, fields);
+  if(extension == "vtk") return internal::to_legacy_vtk(soup, fields);
+  return internal::to_vtu(soup, fields);
+}
+
+/// Writes a mesh of quads (or any polygons) as OFF, OBJ, PLY, legacy VTK (`.vtk`) or XML VTK
+/// (`.vtu`), all as text; the extension, in any case, tells the format.
+///
+/// Numbers are written so that reading gives the same doubles.  The file appears complete or not
+/// at all: it is written beside its target and renamed, a file that had the name is replaced.
+///
+/// \tparam QuadMesh a model of `FaceListGraph` with an internal `vertex_point` map
+/// \param file path of the file to write
+/// \param mesh vertices and faces are written in its order of iteration
+/// \param fields numbers per vertex and per face, in the same order; left out by OFF and OBJ,
+///        which cannot hold them
+/// \return `unwritable_file` with the reason when the extension is not known, a field has not as
+///         many values as the mesh vertices or faces, or the file cannot be written
+template <class QuadMesh>
+Write_result write_quad_mesh(const std::string& file, const QuadMesh& mesh,
+                             const Mesh_fields& fields = {})
+{
+  if(!is_mesh_format_known(file))
+    return { Refusal::unwritable_file,
+             file + ": cannot be written: its name must end in .off, .obj, .ply, .vtk or .vtu" };
+  const std::string wrong =
+      internal::field_of_wrong_length(fields, vertices(mesh).size(), faces(mesh).size());
+  if(!wrong.empty())
+    return { Refusal::unwritable_file, file + ": cannot be written: the field \"" + wrong +
+                                           "\" has not one value per entity" };
+  File_transaction transaction;
+  const Write_result result = transaction.stage(file, quad_mesh_file_contents(file, mesh, fields));
+  return result.ok() ? transaction.commit() : result;
+}
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_IO_WRITE_QUAD_MESH_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPTATION_STATE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPTATION_STATE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Feature_curve.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Reference_surface.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Size_sampler.h>
+#include <CGAL/Quad_mesh_adaptation/internal/face_energy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Thrown by the progress check, caught at the public header.
+struct Cancelled
+{
+};
+
+// What the smoother minimises: shape + size * (r^power / 2) + hinge * max(0, r - hinge_at)^2.
+struct Smoothing_weights
+{
+  double size = 1;
+  int power = 10;
+  double hinge = 0;       // switched on for the last sweeps
+  double hinge_at = 0.985;
+  bool two_sided = false; // also push faces that are too small
+};
+
+// Everything the phases work on: a compact copy of the caller's mesh, so that the call is
+// transactional and the heavy code is compiled once, whatever the mesh type.
+struct Adaptation_state
+{
+  Quad_complex mesh;
+  std::vector<Feature_curve> curves;
+  Reference_surface surface;
+  Size_sampler size;
+  Energy_weights energy;
+  Smoothing_weights smoothing;
+
+  std::map<std::string, std::size_t> operations; // how often each was committed
+  std::vector<float> energy_cache;               // per face, NaN where not known
+  std::function<void()> check_cancelled = [] {}; // throws Cancelled
+
+  Corners corners(Index f) const
+  {
+    const Quad q = mesh.quad(f);
+    return { mesh.point(q[0]), mesh.point(q[1]), mesh.point(q[2]), mesh.point(q[3]) };
+  }
+
+  // Direction the face should show: from the normals of the reference surface at its corners,
+  // zero if there are none (all corners on feature curves).
+  Vec reference_normal(Index f) const
+  {
+    Vec n(0, 0, 0);
+    for(Index v : mesh.quad(f)) n = n + mesh.vertex(v).normal;
+    return n;
+  }
+
+  // The size a face is to have now, the floor of under-resolved places included.
+  double target(const Corners& p, double floor) const { return (std::max)(size.at_face(p), floor); }
+
+  double face_floor(Index f) const
+  {
+    double s = 0;
+    for(Index v : mesh.quad(f)) s += 0.25 * mesh.vertex(v).floor;
+    return s;
+  }
+
+  double face_energy(const Corners& p, const Vec& reference, double floor) const
+  {
+    const double r = mean_edge_length(p) / target(p, floor);
+    return energy.face + energy.shape * shape_cost(p, facing(p, reference)) +
+           energy.oversize_cost(r);
+  }
+
+  double face_energy(Index f) const
+  {
+    return face_energy(corners(f), reference_normal(f), face_floor(f));
+  }
+
+  double cached_energy(Index f)
+  {
+    if(f >= Index(energy_cache.size()))
+      energy_cache.resize(mesh.face_end(), std::numeric_limits<float>::quiet_NaN());
+    if(std::isnan(energy_cache[f])) energy_cache[f] = float(face_energy(f));
+    return energy_cache[f];
+  }
+  void forget_energy(Index f)
+  {
+    if(f < Index(energy_cache.size())) energy_cache[f] = std::numeric_limits<float>::quiet_NaN();
+  }
+  void forget_energies() { energy_cache.clear(); }
+
+  // Size ratio of eq. 3, in the sampling in use, against the final size.
+  double size_ratio(Index f) const
+  {
+    const Corners p = corners(f);
+    return mean_edge_length(p) / size.at_face(p);
+  }
+
+  // The face's own unit normal, or the reference's where the face is folded over.
+  static Vec facing(const Corners& p, const Vec& reference)
+  {
+    const Vec n = area_vector(p);
+    const double l = norm(n), lr = norm(reference);
+    if(lr > 1e-9 && !(n * reference > 0.1 * l * lr)) return reference / lr;
+    return l > 0 ? n / l : Vec(0, 0, 0);
+  }
+
+  double valence_energy(int faces, const Vertex_record& r) const
+  {
+    const double d = faces - r.ideal_faces;
+    return energy.valence * d * d;
+  }
+
+  // Puts a node where it belongs on its carrier and refreshes what hangs on its position.
+  // A node on a curve takes its position from r.param.
+  void place(Vertex_record& r) const
+  {
+    if(r.carrier == Carrier::curve) {
+      const Feature_curve& c = curves[r.curve];
+      r.param = c.wrapped(r.param);
+      r.p = c.point(r.param);
+    } else if(r.carrier == Carrier::surface) {
+      r.p = surface.project(r.p, r.hint);
+      r.normal = surface.normal(r.hint);
+    }
+    r.h = size.at(r.p);
+  }
+
+  void count(const char* operation, std::size_t n = 1) { operations[operation] += n; }
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPTATION_STATE_H

@@ -1,0 +1,283 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_COMPLEX_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_COMPLEX_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// What a node may move on.
+enum class Carrier : std::uint8_t { surface, curve, corner };
+
+struct Vertex_record
+{
+  Vec p = Vec(0, 0, 0);
+  Vec normal = Vec(0, 0, 0);    // of the reference surface; zero on curves of a curved surface
+  double param = 0;             // arc length on its curve
+  double h = 0;                 // wanted edge length here
+  double floor = 0;             // under-resolved places pursue this size for the moment
+  Index halfedge = -1;          // outgoing; on the border the one without opposite; -1: deleted
+  Index curve = -1;             // where carrier == curve
+  Index hint = -1;              // triangle of the reference surface
+  std::int16_t faces = 0;       // number of incident faces
+  std::int16_t ideal_faces = 4; // as the angle of the surface around it asks for
+  Carrier carrier = Carrier::surface;
+  bool frozen = false; // neither moved nor removed
+};
+
+// Quads only, as arrays: half-edge 4 f + i runs from corner i of face f to corner i + 1.
+// No printing, no geometry: topology, carriers and the records above.
+class Quad_complex
+{
+public:
+  // --- half-edges
+  static Index face(Index h) { return h >> 2; }
+  static Index next(Index h) { return (h & ~3) | ((h + 1) & 3); }
+  static Index prev(Index h) { return (h & ~3) | ((h + 3) & 3); }
+  static Index halfedge(Index f) { return f << 2; }
+  Index origin(Index h) const { return origin_[h]; }
+  Index target(Index h) const { return origin_[next(h)]; }
+  Index opposite(Index h) const { return opposite_[h]; } // -1 on the border
+  Index curve(Index h) const { return curve_[h]; }       // -1 inside a surface patch
+  bool is_border(Index h) const { return opposite_[h] < 0; }
+  // the outgoing half-edge next counter-clockwise about origin(h), -1 past the border
+  Index turn_left(Index h) const { return opposite_[prev(h)]; }
+  // and clockwise
+  Index turn_right(Index h) const { return opposite_[h] < 0 ? Index(-1) : next(opposite_[h]); }
+
+  // --- sizes of the arrays, deleted records included
+  Index face_end() const { return Index(origin_.size() / 4); }
+  Index vertex_end() const { return Index(vertices_.size()); }
+  bool is_face(Index f) const { return origin_[4 * f] >= 0; }
+  bool is_vertex(Index v) const { return vertices_[v].halfedge >= 0; }
+  Index number_of_faces() const { return face_count_; }
+
+  Quad quad(Index f) const
+  {
+    return { origin_[4 * f], origin_[4 * f + 1], origin_[4 * f + 2], origin_[4 * f + 3] };
+  }
+
+  Vertex_record& vertex(Index v) { return vertices_[v]; }
+  const Vertex_record& vertex(Index v) const { return vertices_[v]; }
+  const Vec& point(Index v) const { return vertices_[v].p; }
+  bool is_border_vertex(Index v) const { return opposite_[vertices_[v].halfedge] < 0; }
+  // number of edges at v
+  int valence(Index v) const { return vertices_[v].faces + (is_border_vertex(v) ? 1 : 0); }
+
+  Index patch(Index f) const { return patch_[f]; }
+  void set_patch(Index f, Index p) { patch_[f] = p; }
+
+  // Outgoing half-edges of v, counter-clockwise from halfedge(v).
+  template <typename Container>
+  void outgoing(Index v, Container& out) const
+  {
+    out.clear();
+    const Index start = vertices_[v].halfedge;
+    Index h = start;
+    do {
+      out.push_back(h);
+      h = turn_left(h);
+    } while(h >= 0 && h != start);
+  }
+
+  // The half-edge from u to v, -1 if there is none that has a face on its left.
+  Index find_halfedge(Index u, Index v) const
+  {
+    const Index start = vertices_[u].halfedge;
+    Index h = start;
+    do {
+      if(target(h) == v) return h;
+      h = turn_left(h);
+    } while(h >= 0 && h != start);
+    return -1;
+  }
+
+  bool are_adjacent(Index u, Index v) const
+  {
+    return find_halfedge(u, v) >= 0 || find_halfedge(v, u) >= 0;
+  }
+
+  // Vertices below v are never recycled: they stand for vertices of the caller.
+  void protect_vertices_below(Index v) { first_reusable_ = v; }
+
+  // --- building
+  Index add_vertex(const Vertex_record& r)
+  {
+    if(!free_vertices_.empty()) {
+      const Index v = free_vertices_.back();
+      free_vertices_.pop_back();
+      vertices_[v] = r;
+      return v;
+    }
+    vertices_.push_back(r);
+    return Index(vertices_.size()) - 1;
+  }
+
+  Index add_face(const Quad& q, Index patch)
+  {
+    Index f;
+    if(!free_faces_.empty()) {
+      f = free_faces_.back();
+      free_faces_.pop_back();
+    } else {
+      f = face_end();
+      origin_.resize(origin_.size() + 4, -1);
+      opposite_.resize(opposite_.size() + 4, -1);
+      curve_.resize(curve_.size() + 4, -1);
+      patch_.push_back(-1);
+    }
+    set_quad(f, q);
+    patch_[f] = patch;
+    ++face_count_;
+    return f;
+  }
+
+  void set_quad(Index f, const Quad& q)
+  {
+    for(int i = 0; i < 4; ++i) {
+      origin_[4 * f + i] = q[i];
+      opposite_[4 * f + i] = -1;
+      curve_[4 * f + i] = -1;
+    }
+  }
+
+  void set_curve(Index h, Index c)
+  {
+    curve_[h] = c;
+    if(opposite_[h] >= 0) curve_[opposite_[h]] = c;
+  }
+
+  void set_opposites(Index h, Index o)
+  {
+    if(h >= 0) opposite_[h] = o;
+    if(o >= 0) opposite_[o] = h;
+  }
+
+  void remove_face(Index f)
+  {
+    for(int i = 0; i < 4; ++i) origin_[4 * f + i] = opposite_[4 * f + i] = curve_[4 * f + i] = -1;
+    free_faces_.push_back(f);
+    --face_count_;
+  }
+
+  void remove_vertex(Index v)
+  {
+    vertices_[v].halfedge = -1;
+    vertices_[v].faces = 0;
+    if(v >= first_reusable_) free_vertices_.push_back(v);
+  }
+
+  // Links all half-edges by their end points and refreshes the vertices.  False, with the
+  // offending half-edge in `bad`, if two half-edges run the same way between the same vertices.
+  bool link(Index* bad = nullptr)
+  {
+    struct Key
+    {
+      Index low, high, h;
+    };
+    std::vector<Index> start(vertices_.size() + 1, 0);
+    std::vector<Key> keys;
+    keys.reserve(origin_.size());
+    for(Index h = 0; h < Index(origin_.size()); ++h) {
+      if(origin_[h] < 0) continue;
+      const Index a = origin(h), b = target(h);
+      keys.push_back({ (std::min)(a, b), (std::max)(a, b), h });
+      ++start[(std::min)(a, b) + 1];
+    }
+    for(std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    std::vector<Key> sorted(keys.size()); // bucketed by the lower vertex, in half-edge order
+    for(const Key& k : keys) sorted[start[k.low]++] = k;
+    for(std::size_t i = 0; i < sorted.size();) {
+      std::size_t j = i;
+      while(j < sorted.size() && sorted[j].low == sorted[i].low) ++j;
+      if(!link_bucket(sorted.data() + i, sorted.data() + j, bad)) return false;
+      i = j;
+    }
+    refresh_vertices();
+    return true;
+  }
+
+  // Recomputes halfedge and face count of every vertex; those without a face are deleted.
+  void refresh_vertices()
+  {
+    std::vector<Index> previous(vertices_.size());
+    for(std::size_t v = 0; v < vertices_.size(); ++v) {
+      previous[v] = vertices_[v].halfedge;
+      vertices_[v].halfedge = -1;
+      vertices_[v].faces = 0;
+    }
+    for(Index h = 0; h < Index(origin_.size()); ++h) {
+      if(origin_[h] < 0) continue;
+      Vertex_record& r = vertices_[origin_[h]];
+      ++r.faces;
+      if(r.halfedge < 0 || opposite_[h] < 0) r.halfedge = h;
+    }
+    free_vertices_.clear();
+    for(Index v = vertex_end() - 1; v >= first_reusable_; --v)
+      if(vertices_[v].halfedge < 0) free_vertices_.push_back(v);
+  }
+
+  // Recounts vertex v from one of its outgoing half-edges.
+  void refresh_vertex(Index v, Index h)
+  {
+    Index start = h;
+    for(Index r = turn_right(h); r >= 0 && r != h; r = turn_right(r)) start = r;
+    if(!is_border(start)) start = h;
+    int n = 0;
+    Index c = start;
+    do {
+      ++n;
+      c = turn_left(c);
+    } while(c >= 0 && c != start);
+    vertices_[v].halfedge = start;
+    vertices_[v].faces = std::int16_t(n);
+  }
+
+private:
+  template <typename Key>
+  bool link_bucket(Key* first, Key* last, Index* bad)
+  {
+    std::sort(first, last, [](const Key& a, const Key& b) {
+      return std::tie(a.high, a.h) < std::tie(b.high, b.h);
+    });
+    for(Key* i = first; i != last;) {
+      Key* j = i;
+      while(j != last && j->high == i->high) ++j;
+      const std::ptrdiff_t n = j - i;
+      if(n > 2 || (n == 2 && origin_[i[0].h] == origin_[i[1].h])) {
+        if(bad) *bad = i->h;
+        return false;
+      }
+      opposite_[i->h] = n == 2 ? i[1].h : Index(-1);
+      if(n == 2) {
+        opposite_[i[1].h] = i->h;
+        const Index c = (std::max)(curve_[i[0].h], curve_[i[1].h]);
+        curve_[i[0].h] = curve_[i[1].h] = c;
+      }
+      i = j;
+    }
+    return true;
+  }
+
+  std::vector<Index> origin_, opposite_, curve_, patch_;
+  std::vector<Vertex_record> vertices_;
+  std::vector<Index> free_faces_, free_vertices_;
+  Index face_count_ = 0;
+  Index first_reusable_ = 0;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_COMPLEX_H

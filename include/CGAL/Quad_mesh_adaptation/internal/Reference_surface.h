@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_SURFACE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_SURFACE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/closest_point.h>
+#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// The surface that nodes stay on: triangles (quads cut in two, for an AABB tree over quads would
+// see half of each), their adjacency, and an AABB tree.  A node remembers the triangle it lies
+// on; a small move is followed from triangle to neighbouring triangle, which is fast and cannot
+// jump to another sheet; the tree finds where to start and takes over when the walk is lost.
+class Reference_surface
+{
+  using Triangle = Core_kernel::Triangle_3;
+  using Iterator = std::vector<Triangle>::const_iterator;
+  using Primitive = CGAL::AABB_triangle_primitive<Core_kernel, Iterator>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Core_kernel, Primitive>>;
+
+public:
+  Reference_surface() = default;
+
+  Reference_surface(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles)
+      : points_(std::move(points)), triangles_(std::move(triangles))
+  {
+    link();
+    detect_plane();
+  }
+
+  bool is_planar() const { return planar_; }
+  std::size_t number_of_triangles() const { return triangles_.size(); }
+
+  std::array<Vec, 3> triangle(Index t) const
+  {
+    const auto& c = triangles_[t];
+    return { points_[c[0]], points_[c[1]], points_[c[2]] };
+  }
+
+  // Unit normal of triangle t; the plane's normal on a planar surface, whatever t.
+  Vec normal(Index t) const { return planar_ ? plane_normal_ : normals_[t]; }
+
+  // Point of the surface nearest to p, looked for from triangle `hint`, which is updated;
+  // hint < 0 asks the tree.
+  Vec project(const Vec& p, Index& hint) const
+  {
+    if(planar_) return p - ((p - plane_point_) * plane_normal_) * plane_normal_;
+    if(hint < 0) return locate(p, hint);
+    return walk(p, hint);
+  }
+
+  double distance_to(const Vec& p) const
+  {
+    Index hint = -1;
+    return distance(p, locate(p, hint));
+  }
+
+private:
+  Vec locate(const Vec& p, Index& t) const
+  {
+    build_tree();
+    const Core_kernel::Point_3 q(p.x(), p.y(), p.z());
+    const auto found = tree_->closest_point_and_primitive(q);
+    t = Index(found.second - soup_->begin());
+    return Vec(found.first.x(), found.first.y(), found.first.z());
+  }
+
+  Vec walk(const Vec& p, Index& t) const
+  {
+    auto here = closest_on_triangle(p, triangle(t));
+    double d = (p - here.point).squared_length();
+    for(int step = 0; step < 200; ++step) {
+      if(here.feature == Triangle_feature::inside) return here.point;
+      const Index next = better_neighbour(p, t, here, d);
+      if(next < 0) return here.point;
+      t = next;
+    }
+    return locate(p, t);
+  }
+
+  // The neighbour of t, across the edge or round the corner that `here` lies on, that is nearer
+  // to p; updates here and d.  -1 if there is none.
+  Index better_neighbour(const Vec& p, Index t, Closest_on_triangle& here, double& d) const
+  {
+    const double enough = d * (1 - 1e-12) - 1e-300;
+    if(here.is_edge()) {
+      const Index n = neighbours_[t][here.index];
+      return n >= 0 && improves(p, n, enough, here, d) ? n : Index(-1);
+    }
+    const Index corner = triangles_[t][here.index];
+    for(int side = 0; side < 2; ++side) { // both ways round, for corners on the border
+      Index u = t;
+      for(int guard = 0; guard < 64; ++guard) {
+        const int i = corner_index(u, corner);
+        const Index n = neighbours_[u][side == 0 ? (i + 2) % 3 : i];
+        if(n < 0 || n == t) break;
+        if(improves(p, n, enough, here, d)) return n;
+        u = n;
+      }
+    }
+    return -1;
+  }
+
+  bool improves(const Vec& p, Index n, double enough, Closest_on_triangle& here, double& d) const
+  {
+    const auto there = closest_on_triangle(p, triangle(n));
+    const double dn = (p - there.point).squared_length();
+    if(!(dn < enough)) return false;
+    here = there;
+    d = dn;
+    return true;
+  }
+
+  int corner_index(Index t, Index v) const
+  {
+    return triangles_[t][0] == v ? 0 : triangles_[t][1] == v ? 1 : 2;
+  }
+
+  void link()
+  {
+    neighbours_.assign(triangles_.size(), { -1, -1, -1 });
+    normals_.reserve(triangles_.size());
+    std::vector<std::array<Index, 4>> edges; // low, high, triangle, side
+    for(std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto c = triangle(Index(t));
+      normals_.push_back(normalized(cross(c[1] - c[0], c[2] - c[0])));
+      for(int i = 0; i < 3; ++i) {
+        const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
+        edges.push_back({ (std::min)(a, b), (std::max)(a, b), Index(t), Index(i) });
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    for(std::size_t i = 0; i + 1 < edges.size(); ++i) {
+      const auto &e = edges[i], &f = edges[i + 1];
+      if(e[0] != f[0] || e[1] != f[1]) continue;
+      neighbours_[e[2]][e[3]] = f[2];
+      neighbours_[f[2]][f[3]] = e[2];
+    }
+  }
+
+  void detect_plane()
+  {
+    Vec n(0, 0, 0);
+    double size = 0;
+    for(std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto c = triangle(Index(t));
+      n = n + cross(c[1] - c[0], c[2] - c[0]);
+      size = (std::max)(size, distance(c[0], points_[triangles_[0][0]]));
+    }
+    plane_normal_ = normalized(n);
+    plane_point_ = points_[triangles_[0][0]];
+    planar_ = n * n > 0;
+    for(std::size_t t = 0; planar_ && t < triangles_.size(); ++t) {
+      for(const Vec& q : triangle(Index(t)))
+        planar_ = planar_ && std::abs((q - plane_point_) * plane_normal_) <= 1e-12 * size;
+      planar_ = planar_ && normals_[t] * plane_normal_ > 0;
+    }
+  }
+
+  void build_tree() const
+  {
+    if(tree_) return;
+    soup_ = std::make_shared<std::vector<Triangle>>();
+    soup_->reserve(triangles_.size());
+    const auto pt = [](const Vec& v) { return Core_kernel::Point_3(v.x(), v.y(), v.z()); };
+    for(std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto c = triangle(Index(t));
+      soup_->emplace_back(pt(c[0]), pt(c[1]), pt(c[2]));
+    }
+    tree_ = std::make_shared<Tree>(soup_->cbegin(), soup_->cend());
+    tree_->accelerate_distance_queries();
+  }
+
+  std::vector<Vec> points_;
+  std::vector<std::array<Index, 3>> triangles_, neighbours_; // neighbour i: across edge i, i+1
+  std::vector<Vec> normals_;
+  bool planar_ = false;
+  Vec plane_normal_ = Vec(0, 0, 1), plane_point_ = Vec(0, 0, 0);
+  mutable std::shared_ptr<std::vector<Triangle>> soup_;
+  mutable std::shared_ptr<Tree> tree_; // built at the first question only
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_SURFACE_H

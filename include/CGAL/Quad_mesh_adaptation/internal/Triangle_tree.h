@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_TRIANGLE_TREE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_TRIANGLE_TREE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Nearest point of a set of triangles.  The tree is complete when the constructor returns, so
+// that queries from several threads do not meet in a lazy construction.
+class Triangle_tree
+{
+  using Triangle_3 = Core_kernel::Triangle_3;
+  using Primitive =
+      CGAL::AABB_triangle_primitive<Core_kernel, std::vector<Triangle_3>::const_iterator>;
+#if CGAL_VERSION_NR >= 1060000000
+  using Traits = CGAL::AABB_traits_3<Core_kernel, Primitive>;
+#else
+  using Traits = CGAL::AABB_traits<Core_kernel, Primitive>;
+#endif
+
+public:
+  struct Nearest
+  {
+    Vec point;
+    std::size_t triangle;
+  };
+
+  // Precondition: there is at least one triangle.
+  explicit Triangle_tree(std::vector<Triangle_3> triangles)
+      : triangles_(std::move(triangles)), tree_(triangles_.cbegin(), triangles_.cend())
+  {
+    tree_.build();
+    tree_.accelerate_distance_queries();
+  }
+  Triangle_tree(const Triangle_tree&) = delete; // the tree points into the vector
+  Triangle_tree& operator=(const Triangle_tree&) = delete;
+
+  Nearest nearest(const Vec& p) const
+  {
+    const auto found = tree_.closest_point_and_primitive(Core_kernel::Point_3(p.x(), p.y(), p.z()));
+    return { Vec(found.first.x(), found.first.y(), found.first.z()),
+             std::size_t(found.second - triangles_.cbegin()) };
+  }
+
+private:
+  std::vector<Triangle_3> triangles_;
+  CGAL::AABB_tree<Traits> tree_;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_TRIANGLE_TREE_H

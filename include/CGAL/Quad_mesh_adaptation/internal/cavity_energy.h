@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CAVITY_ENERGY_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CAVITY_ENERGY_H
+
+// Part of Cavity.h: what a replacement is worth.
+
+#include <CGAL/Quad_mesh_adaptation/internal/Cavity.h>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+inline void Cavity::measure_before()
+{
+  energy_before_ = 0;
+  for(Index f : old_faces) energy_before_ += s_.cached_energy(f);
+  for(std::size_t n = 0; n < nodes.size(); ++n)
+    if(ids[n] >= 0) energy_before_ += s_.valence_energy(s_.mesh.vertex(ids[n]).faces, nodes[n]);
+}
+
+inline double Cavity::energy_after()
+{
+  double e = 0;
+  for(std::size_t n = 0; n < nodes.size(); ++n)
+    if(new_corners_[n] > 0) e += s_.valence_energy(total_corners_[n], nodes[n]);
+  for(const Cavity_quad& q : quads) e += s_.face_energy(corners_of(q), reference_of(q), floor_of(q));
+  return e;
+}
+
+inline double Cavity::worst_before() const
+{
+  double worst = 1;
+  for(Index f : old_faces)
+    worst = (std::min)(worst, worst_corner(s_.corners(f), s_.reference_normal(f)));
+  return worst;
+}
+
+inline double Cavity::worst_after() const
+{
+  double worst = 1;
+  for(const Cavity_quad& q : quads)
+    worst = (std::min)(worst, worst_corner(corners_of(q), reference_of(q)));
+  return worst;
+}
+
+inline double Cavity::largest_before() const
+{
+  double largest = 0;
+  for(Index f : old_faces) largest = (std::max)(largest, s_.size_ratio(f));
+  return largest;
+}
+
+inline double Cavity::largest_after() const
+{
+  double largest = 0;
+  for(const Cavity_quad& q : quads) {
+    const Corners p = corners_of(q);
+    largest = (std::max)(largest, mean_edge_length(p) / s_.size.at_face(p));
+  }
+  return largest;
+}
+
+inline double Cavity::worst_corner(const Corners& p, const Vec& reference)
+{
+  const Vec n = Adaptation_state::facing(p, reference);
+  double worst = 1;
+  for(int i = 0; i < 4; ++i) {
+    const Vec a = p[(i + 1) & 3] - p[i], b = p[(i + 3) & 3] - p[i];
+    const double l = std::sqrt((a * a) * (b * b));
+    worst = (std::min)(worst, l > 0 ? n * cross(a, b) / l : -1.);
+  }
+  return worst;
+}
+
+inline void Cavity::relax(int sweeps)
+{
+  corner_start_.assign(nodes.size() + 1, 0);
+  for(const Cavity_quad& q : quads)
+    for(int v : q.v) ++corner_start_[v + 1];
+  for(std::size_t i = 1; i < corner_start_.size(); ++i) corner_start_[i] += corner_start_[i - 1];
+  corner_list_.resize(4 * quads.size());
+  for(int h = 0; h < int(4 * quads.size()); ++h) corner_list_[corner_start_[origin(h)]++] = h;
+  for(int sweep = 0; sweep < sweeps; ++sweep) {
+    bool moved = false;
+    for(std::size_t n = 0; n < nodes.size(); ++n) {
+      if(!is_inner(int(n)) || nodes[n].frozen || nodes[n].carrier == Carrier::corner) continue;
+      gather(int(n), n == 0 ? 0 : corner_start_[n - 1], corner_start_[n]);
+      moved = relax_(nodes[n]) || moved;
+    }
+    if(!moved) break;
+  }
+}
+
+inline void Cavity::gather(int n, int first, int last)
+{
+  std::vector<Star_face>& star = relax_.star();
+  star.clear();
+  for(int i = first; i < last; ++i) {
+    const int h = corner_list_[i];
+    const Cavity_quad& q = quads[h >> 2];
+    const Vertex_record &x = nodes[n], &a = nodes[q.v[(h + 1) & 3]], &b = nodes[q.v[(h + 2) & 3]],
+                        &c = nodes[q.v[(h + 3) & 3]];
+    Star_face f;
+    f.q1 = a.p;
+    f.q2 = b.p;
+    f.q3 = c.p;
+    f.reference = reference_of(q);
+    f.floor = floor_of(q);
+    f.grad_h = s_.size.is_constant() ? Vec(0, 0, 0)
+                                     : size_gradient({ x.p, a.p, b.p, c.p }, { x.h, a.h, b.h, c.h });
+    star.push_back(f);
+  }
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CAVITY_ENERGY_H

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/ideal_count.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_quality.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_topology.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// All figures of a quad mesh given as arrays, in time linear in its size.  Points that no quad
+// uses are ignored.  Sizes are taken as they come: a caller who doubts them checks in `size`,
+// whose exceptions pass through.  The ideal number of faces is integrated over
+// `reference_triangles`, or over the mesh itself without them.  `max_distance_to_reference` is
+// left at 0.
+// Preconditions: indices are in range; the mesh may be non-manifold.
+inline Mesh_measures measure(const std::vector<Vec>& points, const std::vector<Quad>& quads,
+                             const Size_function& size,
+                             const std::vector<Triangle>* reference_triangles = nullptr)
+{
+  Mesh_measures m;
+  measure_topology(points.size(), quads, m);
+  if(quads.empty()) return m;
+  measure_quality(points, quads, m);
+  measure_sizes(points, quads, size, m);
+  m.ideal_number_of_faces = ideal_number_of_faces(
+      reference_triangles ? *reference_triangles : triangles_of(points, quads), size);
+  m.efficiency = m.ideal_number_of_faces / double(quads.size());
+  return m;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_H

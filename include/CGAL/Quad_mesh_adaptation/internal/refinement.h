@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
+#include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// One conforming pass over the whole mesh: edges are halved where the size asks for it.
+// Returns the number of faces cut.
+inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
+                               std::vector<Index>* infeasible = nullptr)
+{
+  s.check_cancelled();
+  const std::vector<char> split = even_marks(s.mesh, split_wishes(s, o), o.bend, infeasible);
+  if(split.empty()) return 0;
+  return Split_templates(s, split)();
+}
+
+// Under-resolved places pursue the size they have now: where a node's edges are longer than
+// wanted, its floor is their mean length, so that neither smoothing nor clean-up works against
+// the refinement to come.
+inline void set_floors(Adaptation_state& s)
+{
+  Quad_complex& m = s.mesh;
+  std::vector<double> sum(m.vertex_end(), 0.);
+  std::vector<int> n(m.vertex_end(), 0);
+  for(Index h = 0; h < 4 * m.face_end(); ++h) {
+    if(!m.is_face(m.face(h))) continue;
+    const Index u = m.origin(h), v = m.target(h);
+    const double l = distance(m.point(u), m.point(v));
+    sum[u] += l;
+    sum[v] += l;
+    ++n[u];
+    ++n[v];
+  }
+  for(Index v = 0; v < m.vertex_end(); ++v)
+    if(m.is_vertex(v)) m.vertex(v).floor = sum[v] / n[v];
+  s.forget_energies();
+}
+
+inline void clear_floors(Adaptation_state& s)
+{
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v) s.mesh.vertex(v).floor = 0;
+  s.forget_energies();
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_H

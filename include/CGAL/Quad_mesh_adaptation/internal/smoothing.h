@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SMOOTHING_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SMOOTHING_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Node_relaxation.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Gathers the star of v for a relaxation.
+inline void gather_star(const Adaptation_state& s, Index v, std::vector<Star_face>& star)
+{
+  star.clear();
+  const Quad_complex& m = s.mesh;
+  const Index start = m.vertex(v).halfedge;
+  Index h = start;
+  do {
+    const Index a = m.target(h), b = m.target(m.next(h)), c = m.origin(m.prev(h));
+    const Vertex_record &x = m.vertex(v), &ra = m.vertex(a), &rb = m.vertex(b), &rc = m.vertex(c);
+    Star_face f;
+    f.q1 = ra.p;
+    f.q2 = rb.p;
+    f.q3 = rc.p;
+    f.reference = x.normal + ra.normal + rb.normal + rc.normal;
+    f.floor = 0.25 * (x.floor + ra.floor + rb.floor + rc.floor);
+    f.grad_h = s.size.is_constant()
+                 ? Vec(0, 0, 0)
+                 : size_gradient({ x.p, ra.p, rb.p, rc.p }, { x.h, ra.h, rb.h, rc.h });
+    star.push_back(f);
+    h = m.turn_left(h);
+  } while(h >= 0 && h != start);
+}
+
+// Size-aware smoothing: `sweeps` rounds over all nodes in a fixed order, each moved to a better
+// place on its carrier.  With `active`, only the nodes marked there, which is updated to the
+// nodes worth another visit.  Returns the number of moves.
+inline std::size_t smooth(Adaptation_state& s, int sweeps, std::vector<char>* active = nullptr)
+{
+  Node_relaxation relax(s);
+  std::size_t moves = 0;
+  for(int sweep = 0; sweep < sweeps; ++sweep) {
+    s.check_cancelled();
+    std::vector<char> next;
+    if(active) next.assign(s.mesh.vertex_end(), 0);
+    std::size_t moved = 0;
+    for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
+      if(!s.mesh.is_vertex(v) || (active && !(*active)[v])) continue;
+      Vertex_record& r = s.mesh.vertex(v);
+      if(r.frozen || r.carrier == Carrier::corner) continue;
+      gather_star(s, v, relax.star());
+      const Vec before = r.p;
+      if(!relax(r)) continue;
+      ++moved;
+      Index g = r.halfedge;
+      do {
+        s.forget_energy(s.mesh.face(g));
+        g = s.mesh.turn_left(g);
+      } while(g >= 0 && g != r.halfedge);
+      if(!active) continue;
+      const double reach = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
+      if(distance(before, r.p) < 1e-3 * reach) continue;
+      Index h = r.halfedge;
+      do {
+        for(Index u : s.mesh.quad(s.mesh.face(h))) next[u] = 1;
+        h = s.mesh.turn_left(h);
+      } while(h >= 0 && h != r.halfedge);
+    }
+    moves += moved;
+    if(active) active->swap(next);
+    if(moved == 0) break;
+  }
+  return moves;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SMOOTHING_H

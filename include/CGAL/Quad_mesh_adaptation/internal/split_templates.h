@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SPLIT_TEMPLATES_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SPLIT_TEMPLATES_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// A node on the segment between two nodes, at fraction t.
+inline Vertex_record node_between(const Vertex_record& a, const Vertex_record& b, double t)
+{
+  Vertex_record r;
+  r.p = a.p + t * (b.p - a.p);
+  r.floor = (1 - t) * a.floor + t * b.floor;
+  r.hint = a.carrier == Carrier::surface ? a.hint : b.hint;
+  r.halfedge = 0;
+  return r;
+}
+
+inline Vertex_record inner_node(const Adaptation_state& s, const Vertex_record& a,
+                                const Vertex_record& b, double t)
+{
+  Vertex_record r = node_between(a, b, t);
+  s.place(r);
+  return r;
+}
+
+// Arc lengths of origin and target of h on its curve.
+inline void ends_on_curve(const Adaptation_state& s, Index h, double& su, double& sv)
+{
+  const Feature_curve& c = s.curves[s.mesh.curve(h)];
+  const Index u = s.mesh.origin(h), v = s.mesh.target(h);
+  const Vertex_record &ru = s.mesh.vertex(u), &rv = s.mesh.vertex(v);
+  const bool cu = ru.carrier == Carrier::curve, cv = rv.carrier == Carrier::curve;
+  const auto corner = [&](Index w, bool other_is_node, double other) {
+    if(c.first_corner != c.last_corner) return w == c.first_corner ? 0. : c.length();
+    return other_is_node && other > 0.5 * c.length() ? c.length() : 0.;
+  };
+  su = cu ? ru.param : corner(u, cv, rv.param);
+  sv = cv ? rv.param : corner(v, cu, ru.param);
+}
+
+// The node that cuts the edge of h in two: the point that halves the integral of ds / h for a size
+// that is linear along the edge; on the curve of h if it has one.
+inline Vertex_record edge_middle(const Adaptation_state& s, Index h)
+{
+  const Quad_complex& m = s.mesh;
+  const Vertex_record &a = m.vertex(m.origin(h)), &b = m.vertex(m.target(h));
+  const double ra = std::sqrt(a.h), rb = std::sqrt(b.h);
+  const double t = (std::min)((std::max)(ra / (ra + rb), 0.38), 0.62);
+  Vertex_record r = node_between(a, b, t);
+  const Index c = m.curve(h);
+  if(c >= 0) {
+    const Feature_curve& curve = s.curves[c];
+    r.carrier = Carrier::curve;
+    r.curve = c;
+    r.ideal_faces = curve.is_border() ? 2 : 4;
+    r.normal = s.surface.is_planar() ? s.surface.normal(0) : Vec(0, 0, 0);
+    double sa = 0, sb = 0;
+    ends_on_curve(s, h, sa, sb);
+    r.param = sa + t * curve.difference(sa, sb);
+  }
+  s.place(r);
+  return r;
+}
+
+// Conforming 2-refinement: cuts every marked edge in two and every face by the template of its
+// marks: none, 2 opposite (2 quads), 2 adjacent (3 quads), 4 (4 quads).
+// Precondition: the marks of every face are one of these.  Faces without marks are not touched.
+class Split_templates
+{
+public:
+  Split_templates(Adaptation_state& s, const std::vector<char>& split) : s_(s), split_(split) {}
+
+  // Returns the number of faces that were cut.
+  std::size_t operator()()
+  {
+    Quad_complex& m = s_.mesh;
+    const Index faces = m.face_end();
+    middle_.assign(4 * std::size_t(faces), -1);
+    for(Index h = 0; h < 4 * faces; ++h) {
+      const Index o = m.opposite(h);
+      if(!m.is_face(m.face(h)) || !split_[h] || (o >= 0 && o < h)) continue;
+      middle_[h] = m.add_vertex(edge_middle(s_, h));
+      if(o >= 0) middle_[o] = middle_[h];
+    }
+    std::size_t cut = 0;
+    for(Index f = 0; f < faces; ++f)
+      if(m.is_face(f) && cut_face(f)) ++cut;
+    if(cut == 0) return 0;
+    s_.forget_energies();
+    m.link();
+    s_.count("template refinement", cut);
+    return cut;
+  }
+
+private:
+  bool cut_face(Index f)
+  {
+    Quad_complex& m = s_.mesh;
+    int marks = 0;
+    for(int i = 0; i < 4; ++i) marks += split_[4 * f + i] ? 1 : 0;
+    if(marks == 0) return false;
+    for(int i = 0; i < 4; ++i) {
+      corner_[i] = m.origin(4 * f + i);
+      mid_[i] = middle_[4 * f + i];
+      curve_[i] = m.curve(4 * f + i);
+    }
+    patch_ = m.patch(f);
+    face_ = f;
+    fresh_ = false;
+    if(marks == 4)
+      cut_in_four();
+    else if(split_[4 * f] == split_[4 * f + 2])
+      cut_in_two(split_[4 * f] ? 0 : 1);
+    else
+      for(int i = 0; i < 4; ++i)
+        if(split_[4 * f + i] && split_[4 * f + ((i + 3) & 3)]) cut_in_three(i);
+    return true;
+  }
+
+  void cut_in_four()
+  {
+    Quad_complex& m = s_.mesh;
+    const Index x = m.add_vertex(
+      inner_node(s_, m.vertex(mid_[0]), m.vertex(mid_[2]),
+                 0.5)); // of the joined middles, so that both directions follow the size
+    for(int i = 0; i < 4; ++i) {
+      const int p = (i + 3) & 3;
+      add({ corner_[i], mid_[i], x, mid_[p] }, { curve_[i], -1, -1, curve_[p] });
+    }
+  }
+
+  // Edges i and i + 2 are split.
+  void cut_in_two(int i)
+  {
+    const int j = (i + 1) & 3, k = (i + 2) & 3, l = (i + 3) & 3;
+    add({ corner_[i], mid_[i], mid_[k], corner_[l] }, { curve_[i], -1, curve_[k], curve_[l] });
+    add({ mid_[i], corner_[j], corner_[k], mid_[k] }, { curve_[i], curve_[j], curve_[k], -1 });
+  }
+
+  // The edges at corner i are split.
+  void cut_in_three(int i)
+  {
+    Quad_complex& m = s_.mesh;
+    const int j = (i + 1) & 3, k = (i + 2) & 3, l = (i + 3) & 3;
+    const Index x = m.add_vertex(inner_node(s_, m.vertex(corner_[i]), m.vertex(corner_[k]), 0.45));
+    add({ corner_[i], mid_[i], x, mid_[l] }, { curve_[i], -1, -1, curve_[l] });
+    add({ mid_[i], corner_[j], corner_[k], x }, { curve_[i], curve_[j], -1, -1 });
+    add({ mid_[l], x, corner_[k], corner_[l] }, { -1, -1, curve_[k], curve_[l] });
+  }
+
+  void add(const Quad& q, const std::array<Index, 4>& curve)
+  {
+    Quad_complex& m = s_.mesh;
+    Index f = face_;
+    if(fresh_)
+      f = m.add_face(q, patch_);
+    else
+      m.set_quad(f, q);
+    fresh_ = true; // the first child keeps the number of its parent
+    for(int i = 0; i < 4; ++i) m.set_curve(4 * f + i, curve[i]);
+  }
+
+  Adaptation_state& s_;
+  const std::vector<char>& split_;
+  std::vector<Index> middle_;
+  std::array<Index, 4> corner_, mid_, curve_;
+  Index patch_ = 0, face_ = 0;
+  bool fresh_ = false;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SPLIT_TEMPLATES_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_LIMIT_SIZE_GRADATION_H
+#define CGAL_QUAD_MESH_ADAPTATION_LIMIT_SIZE_GRADATION_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+/// \brief Lowers nodal sizes until they grow by at most `growth` per unit of length.
+///
+/// Gives the largest sizes below the given ones with |h(u) - h(v)| <= growth |uv| for any two
+/// vertices of a common face, by Dijkstra's algorithm on the graph of edges and face diagonals:
+/// the discrete form of Persson's |grad h| <= growth (P.-O. Persson, "Mesh size functions for
+/// implicit geometries and PDE-based gradient limiting", 2006).  O(n log n).
+///
+/// \param mesh a model of `FaceListGraph` and `HalfedgeListGraph`.
+/// \param sizes a read-write property map from vertices to positive sizes; changed in place.
+/// \param growth the largest slope, not negative; 0.2 to 0.3 suits quad meshes.
+/// \param np optional: `vertex_point_map`.
+/// \throws std::invalid_argument if `growth` is negative or not finite; `sizes` is then unchanged.
+template <class PolygonMesh, class VertexSizeMap, class NP = parameters::Default_named_parameters>
+void limit_size_gradation(const PolygonMesh& mesh, VertexSizeMap sizes, double growth,
+                          const NP& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
+  if(!(std::isfinite(growth) && growth >= 0))
+    throw std::invalid_argument("limit_size_gradation: the slope is not a finite number >= 0");
+  const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                       get_const_property_map(vertex_point, mesh));
+
+  std::vector<Vertex> vertex_of;
+  std::unordered_map<Vertex, std::size_t> number;
+  for(Vertex v : vertices(mesh)) {
+    number.emplace(v, vertex_of.size());
+    vertex_of.push_back(v);
+  }
+  std::vector<std::vector<std::size_t>> neighbours(vertex_of.size()); // vertices sharing a face
+  for(auto f : faces(mesh)) {
+    std::vector<std::size_t> polygon;
+    for(Vertex v : vertices_around_face(halfedge(f, mesh), mesh)) polygon.push_back(number.at(v));
+    for(std::size_t a : polygon)
+      for(std::size_t b : polygon)
+        if(a != b) neighbours[a].push_back(b);
+  }
+
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  std::vector<double> size(vertex_of.size());
+  for(std::size_t v = 0; v < size.size(); ++v)
+    queue.emplace(size[v] = CGAL::to_double(get(sizes, vertex_of[v])), v);
+  while(!queue.empty()) {
+    const auto [h, v] = queue.top();
+    queue.pop();
+    if(h > size[v]) continue;
+    const auto& p = get(points, vertex_of[v]);
+    for(std::size_t w : neighbours[v]) {
+      const auto& q = get(points, vertex_of[w]);
+      const double length =
+          std::hypot(CGAL::to_double(p.x() - q.x()), CGAL::to_double(p.y() - q.y()),
+                     CGAL::to_double(p.z() - q.z()));
+      const double bound = h + growth * length;
+      if(bound < size[w]) queue.emplace(size[w] = bound, w);
+    }
+  }
+  for(std::size_t v = 0; v < size.size(); ++v)
+    if(size[v] < CGAL::to_double(get(sizes, vertex_of[v]))) put(sizes, vertex_of[v], size[v]);
+}
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_LIMIT_SIZE_GRADATION_H
