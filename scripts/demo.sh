@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-cases=(circular_load nosecone plate_with_hole)
+cases=(circular_load_example nosecone_example plate_with_hole_example)
 results=build/demo
 
 scripts/install_dependencies.sh
