@@ -51,7 +51,15 @@ struct Adaptation_state
 
   std::map<std::string, std::size_t> operations; // how often each was committed
   std::vector<float> energy_cache;               // per face, NaN where not known
-  std::function<void()> check_cancelled = [] {}; // throws Cancelled
+  std::function<void(double)> report_progress = [](double) {}; // throws Cancelled
+  double progress = 0;                                         // of the whole call, 0 to 1
+
+  void check_cancelled() const { report_progress(progress); }
+
+  // Told when a phase starts (name, iteration) and ends (name, faces).
+  std::function<void(const char*, std::size_t)> start_phase = [](const char*, std::size_t) {};
+  std::function<void(const char*, std::size_t)> end_phase = [](const char*, std::size_t) {};
+  std::size_t iterations = 0; // passes of the driver's loop
 
   Corners corners(Index f) const
   {

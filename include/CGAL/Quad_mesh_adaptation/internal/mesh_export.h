@@ -180,7 +180,10 @@ private:
         const halfedge_descriptor h = halfedge_of_[4 * f + i];
         set_face(h, d, mesh_);
         set_next(h, halfedge_of_[4 * f + ((i + 1) & 3)], mesh_);
-        set_halfedge(vertex_of_[m_.target(4 * f + i)], h, mesh_);
+        // a frozen vertex may lie on the border of the mesh outside the region
+        const Index v = m_.target(4 * f + i);
+        if(!m_.vertex(v).frozen || !is_border(halfedge(vertex_of_[v], mesh_), mesh_))
+          set_halfedge(vertex_of_[v], h, mesh_);
       }
     }
   }
@@ -201,8 +204,9 @@ private:
       else if(lookup(border_after_, u) != null())
         set_next(b, lookup(border_after_, u), mesh_);
       set_halfedge(vertex_of_[u], b, mesh_);
-      if(leaving_is_outside(v) && lookup(border_before_, v) != null())
-        set_next(lookup(border_before_, v), b, mesh_);
+      if(!leaving_is_outside(v) || lookup(border_before_, v) == null()) continue;
+      set_next(lookup(border_before_, v), b, mesh_);
+      set_halfedge(vertex_of_[v], lookup(border_before_, v), mesh_);
     }
   }
 

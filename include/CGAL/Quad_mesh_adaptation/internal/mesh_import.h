@@ -53,18 +53,18 @@ public:
   {}
 
   template <typename FaceRange>
-  void operator()(const FaceRange& faces, bool is_region, Input_mesh& in,
+  void operator()(const FaceRange& chosen, bool is_region, Input_mesh& in,
                   Mesh_descriptors<QuadMesh>& out)
   {
     number_of_ = get(CGAL::dynamic_vertex_property_t<Index>(), mesh_);
     in_region_ = get(CGAL::dynamic_face_property_t<bool>(), mesh_);
     for(vertex_descriptor v : vertices(mesh_)) put(number_of_, v, -1);
     if(is_region) {
-      for(face_descriptor f : CGAL::faces(mesh_)) put(in_region_, f, false);
-      for(face_descriptor f : faces) put(in_region_, f, true);
+      for(face_descriptor f : faces(mesh_)) put(in_region_, f, false);
+      for(face_descriptor f : chosen) put(in_region_, f, true);
     }
     long position = 0;
-    for(face_descriptor f : CGAL::faces(mesh_)) {
+    for(face_descriptor f : faces(mesh_)) {
       if(!is_region || get(in_region_, f)) add_face(f, position, is_region, in, out);
       ++position;
     }

@@ -13,6 +13,15 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// Fraction of the faces that are smaller than `ratio` times their size.
+inline double fraction_below(const Adaptation_state& s, double ratio)
+{
+  std::size_t below = 0;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && s.size_ratio(f) < ratio) ++below;
+  return double(below) / double(s.mesh.number_of_faces());
+}
+
 // One conforming pass over the whole mesh: edges are halved where the size asks for it.
 // Returns the number of faces cut.
 inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,

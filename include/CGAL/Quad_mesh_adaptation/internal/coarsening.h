@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COARSENING_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COARSENING_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Coarsening by local operations: closing a face of a regular mesh makes irregular nodes, so the
+// weight of valences is relaxed while faces are closed and set back for the clean-up after it.
+// Ends when a round closes fewer than 1 % of the faces.
+inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clean, int max_rounds)
+{
+  const double strict = s.energy.valence;
+  for(int round = 0; round < max_rounds; ++round) {
+    set_floors(s); // where the mesh is too coarse it stays as it is for now
+    const Index before = s.mesh.number_of_faces();
+    {
+      Phase_scope phase(s, "coarsening");
+      s.energy.valence = 0.05;
+      s.forget_energies();
+      Improvement_options relaxed = clean;
+      relaxed.open = false;
+      relaxed.max_valence = 6;
+      relaxed.min_jacobian = 0.3;
+      Local_improvement improvement(s, relaxed);
+      improvement.activate_all();
+      for(int pass = 0; pass < 3; ++pass)
+        if(improvement.pass() == 0) break;
+      smooth(s, 3);
+      s.energy.valence = strict;
+      s.forget_energies();
+    }
+    clean_up(s, clean, 3, 3);
+    if(s.mesh.number_of_faces() > 0.99 * before) break;
+  }
+  clear_floors(s);
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COARSENING_H

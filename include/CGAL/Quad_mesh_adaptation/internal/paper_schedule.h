@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PAPER_SCHEDULE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PAPER_SCHEDULE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/boundary_coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+#include <CGAL/Quad_mesh_adaptation/internal/ring_coarsening.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// How many faces the paper calls high-refine and low-refine.
+struct Refine_classes
+{
+  std::vector<Index> high, low;
+};
+
+// f_s > 1 and above t_r (eq. 5): high; f_s > 1 and up to t_r: low.
+inline Refine_classes classify_faces(const Adaptation_state& s, double threshold)
+{
+  Refine_classes c;
+  for(Index f = 0; f < s.mesh.face_end(); ++f) {
+    if(!s.mesh.is_face(f)) continue;
+    const double r = s.size_ratio(f);
+    if(r > 1 + 1e-9) (r > threshold ? c.high : c.low).push_back(f);
+  }
+  return c;
+}
+
+// 2-refinement of whole faces: all their edges are split, and the transition templates around
+// them follow from the T-join with as few further splits as possible.  Edges of the region are
+// never given up, unless no other solution exists.
+inline std::size_t refine_faces(Adaptation_state& s, const std::vector<Index>& faces)
+{
+  const Quad_complex& m = s.mesh;
+  std::vector<double> wish(4 * std::size_t(m.face_end()), 1.);
+  const auto low = [&](Index h) {
+    const Index o = m.opposite(h);
+    return o >= 0 && o < h ? o : h;
+  };
+  for(Index h = 0; h < 4 * m.face_end(); ++h)
+    if(m.is_face(m.face(h)) && m.curve(h) >= 0 && s.curves[m.curve(h)].is_frozen())
+      wish[low(h)] = std::numeric_limits<double>::infinity();
+  for(Index f : faces)
+    for(Index h = 4 * f; h < 4 * f + 4; ++h)
+      if(std::isfinite(wish[low(h)])) wish[low(h)] = -1000.;
+  const std::vector<char> split = even_marks(m, wish, 1e-3);
+  return split.empty() ? 0 : Split_templates(s, split)();
+}
+
+// Section 3.3 of the paper, step by step.
+inline void paper_schedule(Adaptation_state& s, std::size_t max_iterations)
+{
+  s.smoothing.size = 0; // isotropic: the paper's smoothing does not know the size
+  Improvement_options clean;
+  clean.max_valence = 6;
+  clean.close = clean.open = clean.swap = clean.rotate = true;
+  s.energy.oversize = 0; // its clean-up improves quality only
+  s.energy.face = 0;
+
+  coarsen_boundary(s);                                                        // step 2
+  bool coarsening = true;
+  for(std::size_t n = 0; n < (std::min)(max_iterations, std::size_t(25)); ++n) { // step 6
+    ++s.iterations;
+    s.progress = (std::min)(0.95, 0.15 * double(n));
+    const double t_c = 1.0 - 0.2 * double(n), t_r = (std::max)(1.0, 1.25 - 0.05 * double(n));
+    if(coarsening && t_c > 0 && fraction_below(s, t_c) >= 0.10)               // step 3
+      coarsen_by_rings(s, t_c, clean);
+    else
+      coarsening = false;
+    const Refine_classes classes = classify_faces(s, t_r);
+    const double all = double(s.mesh.number_of_faces());
+    if(double(classes.low.size()) < 0.03 * all && double(classes.high.size()) < 0.005 * all) {
+      if(!coarsening) break;
+      continue;
+    }
+    {
+      Phase_scope phase(s, "refinement");                                     // step 4
+      if(refine_faces(s, classes.high.empty() ? classes.low : classes.high) == 0) break;
+    }
+    clean_up(s, clean, 6, 5);                                                 // step 5
+  }
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PAPER_SCHEDULE_H

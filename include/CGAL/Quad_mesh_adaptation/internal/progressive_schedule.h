@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Approaches the sizes from below: halve what is too long, everywhere once, then clean up and
+// smooth against the size reached so far.  No place is ever grossly under-resolved while
+// operations or smoothing work on it.
+inline void refine_progressively(Adaptation_state& s, const Marking_options& marking,
+                                 const Improvement_options& clean, std::size_t max_passes)
+{
+  for(std::size_t pass = 0; pass < max_passes; ++pass) {
+    {
+      Phase_scope phase(s, "refinement");
+      if(refine_once(s, marking) == 0) break;
+      ++s.iterations;
+      set_floors(s);
+      smooth(s, 3);
+    }
+    clean_up(s, clean, 4, 3);
+  }
+  clear_floors(s);
+}
+
+// Rounds of clean-up against the final sizes, with smoothing that presses the last faces below
+// their size from the third round on.
+inline void polish(Adaptation_state& s, const Improvement_options& clean, int rounds)
+{
+  const double hinge = s.smoothing.hinge;
+  for(int round = 0; round < rounds; ++round) {
+    if(round >= 2) s.smoothing.hinge = 2000;
+    const std::size_t done = clean_up(s, clean, 6, 4);
+    if(done == 0 && round >= 3) break;
+  }
+  s.smoothing.hinge = hinge;
+}
+
+// The default schedule.
+inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations)
+{
+  const Improvement_options clean;
+  smooth(s, 2);
+  if(fraction_below(s, 0.7) > 0.01) {
+    s.progress = 0.05;
+    coarsen_relaxed(s, clean, 12);
+  }
+  s.progress = 0.3;
+  refine_progressively(s, Marking_options(), clean, max_iterations);
+  s.progress = 0.6;
+  polish(s, clean, 6);
+  s.progress = 0.9;
+  enforce_sizes(s, clean, 12);
+  s.progress = 1;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_GUARANTEE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_GUARANTEE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Largest size ratio that counts as "not larger".
+constexpr double size_tolerance = 1 + 1e-9;
+
+inline std::vector<Index> faces_too_large(const Adaptation_state& s)
+{
+  std::vector<Index> list;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && s.size_ratio(f) > size_tolerance) list.push_back(f);
+  return list;
+}
+
+// Nodes of the given faces and `rings` rings of faces around them.
+inline std::vector<char> nodes_around(const Adaptation_state& s, const std::vector<Index>& faces,
+                                      int rings)
+{
+  const Quad_complex& m = s.mesh;
+  std::vector<char> in(m.vertex_end(), 0);
+  std::vector<Index> front;
+  const auto reach = [&](Index v) {
+    if(in[v]) return;
+    in[v] = 1;
+    front.push_back(v);
+  };
+  for(Index f : faces)
+    for(Index v : m.quad(f)) reach(v);
+  std::vector<Index> out;
+  for(int ring = 0; ring < rings; ++ring) {
+    std::vector<Index> now;
+    now.swap(front);
+    for(Index v : now) {
+      m.outgoing(v, out);
+      for(Index h : out)
+        for(Index u : m.quad(m.face(h))) reach(u);
+    }
+  }
+  return in;
+}
+
+// The last resort: faces still too large get the pair of edges that is longest against the size
+// split, wherever the T-join then leads the splits.
+inline std::size_t split_too_large(Adaptation_state& s, const std::vector<Index>& faces)
+{
+  Marking_options o;
+  o.threshold = 1.4; // others only where they are far too long
+  o.bend = 0.1;
+  std::vector<double> wish = split_wishes(s, o);
+  const Quad_complex& m = s.mesh;
+  for(Index f : faces) {
+    const auto length = [&](int i) {
+      return distance(m.point(m.origin(4 * f + i)), m.point(m.target(4 * f + i)));
+    };
+    const int first = length(0) + length(2) >= length(1) + length(3) ? 0 : 1;
+    for(int i : { first, first + 2 }) {
+      const Index h = 4 * f + i, o2 = m.opposite(h), low = o2 >= 0 && o2 < h ? o2 : h;
+      if(std::isfinite(wish[low])) wish[low] = -20;
+    }
+  }
+  const std::vector<char> split = even_marks(m, wish, o.bend);
+  return split.empty() ? 0 : Split_templates(s, split)();
+}
+
+// Presses on the faces that are too large, and on nothing else: smoothing with a hinge on the
+// size, and local operations under a heavier weight for oversize, about them and two rings
+// around.  No operation may leave a face above its size that was not.
+inline void press_down(Adaptation_state& s, const Improvement_options& o,
+                       const std::vector<Index>& large)
+{
+  std::vector<char> near = nodes_around(s, large, 3);
+  smooth(s, 6, &near);
+  const std::vector<Index> left = faces_too_large(s);
+  if(left.empty()) return;
+  Local_improvement improvement(s, o);
+  near = nodes_around(s, left, 2);
+  for(Index v = 0; v < Index(near.size()); ++v)
+    if(near[v]) improvement.activate(v);
+  for(int pass = 0; pass < 4; ++pass)
+    if(improvement.pass() == 0) break;
+  near = nodes_around(s, faces_too_large(s), 3);
+  smooth(s, 6, &near);
+}
+
+// Until no face is larger than wanted, or `max_rounds`: pressure that grows from round to round,
+// and every third round splits.  Returns the number of faces left too large.
+inline std::size_t enforce_sizes(Adaptation_state& s, Improvement_options o, int max_rounds)
+{
+  Phase_scope phase(s, "size guarantee");
+  const Smoothing_weights gentle = s.smoothing;
+  const Energy_weights energy = s.energy;
+  std::vector<Index> large = faces_too_large(s);
+  double weight = 2;
+  for(int round = 0; round < max_rounds && !large.empty(); ++round, weight *= 1.7) {
+    s.check_cancelled();
+    s.smoothing.hinge = 2000 * (std::min)(weight, 20.);
+    s.energy.oversize = energy.oversize * (std::min)(weight, 100.);
+    s.forget_energies();
+    if(round % 4 == 3 && split_too_large(s, large) > 0) {
+      s.forget_energies();
+      Local_improvement improvement(s, o);
+      improvement.activate_all();
+      for(int pass = 0; pass < 4; ++pass)
+        if(improvement.pass() == 0) break;
+      large = faces_too_large(s);
+    }
+    o.keep_within_size = round >= 2;
+    press_down(s, o, large);
+    large = faces_too_large(s);
+  }
+  s.smoothing = gentle;
+  s.energy = energy;
+  s.forget_energies();
+  return large.size();
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_GUARANTEE_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ADAPT_QUAD_MESH_H
+#define CGAL_ADAPT_QUAD_MESH_H
+
+#include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+#include <CGAL/Quad_mesh_adaptation/internal/paper_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/parameters.h>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+namespace internal {
+
+template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters>
+Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const SizingField& sizing,
+                              QuadMesh& mesh, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const Schedule schedule = choose_parameter(get_parameter(np, schedule_tag), Schedule::progressive);
+  const std::size_t iterations =
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
+  const bool paper = schedule == Schedule::paper;
+  return run_on_mesh(faces, is_region, sizing, mesh, np, paper,
+                     [&](Adaptation_state& s, Adaptation_report&) {
+                       if(paper)
+                         paper_schedule(s, iterations);
+                       else
+                         progressive_schedule(s, iterations);
+                     });
+}
+
+} // namespace internal
+
+/*!
+adapts the quad mesh to a sizing field: refines where its faces are larger than asked, coarsens
+where they are smaller, into a conforming mesh of quads only.
+
+The default schedule aims at faces no larger than asked, with as few of them as it can.  With
+`schedule(Schedule::paper)` the algorithm of Anderson, Benzley and Owen, "Automatic All
+Quadrilateral Mesh Adaption through Refinement and Coarsening" (18th International Meshing
+Roundtable, 2009), section 3.3, runs step by step.
+
+\tparam SizingField a number, or a callable `FT operator()(const Point_3&) const`: the wanted
+  length of edges at a point, in units of the coordinates.  It is called very often, also at points
+  near but not on the surface, and must be positive and finite there.
+\tparam QuadMesh a model of `MutableFaceGraph`, with an internal property map for
+  `CGAL::vertex_point_t` or one given in `np`.
+\tparam NamedParameters a sequence of named parameters.
+
+\param np optional:
+  - `vertex_point_map(vpm)`, a model of `ReadWritePropertyMap`;
+  - `edge_is_constrained_map(ecm)`: these edges form feature curves; their nodes move along them
+    and the edges are split or merged along them; new edges on them are marked in `ecm`;
+  - `vertex_is_constrained_map(vcm)`: these vertices stay where they are;
+  - `number_of_iterations(n)`: the most passes of refinement; default 40;
+  - `visitor(v)`, see `Adaptation_visitor`; `callback(f)`: `bool f(double)` is told the progress
+    from 0 to 1 and cancels by returning `false`;
+  - `schedule()`, `feature_angle()`, `reference_surface()`: see parameters.h.
+
+\returns a report; see `Adaptation_status` for how the call ended.  Faces, edges and vertices that
+  did not have to change keep their descriptors; removed ones are marked as such in a
+  `Surface_mesh` until `collect_garbage()`.
+
+\pre All faces are quads; the mesh is manifold.  This is checked, also in Release; a mesh that
+  cannot be adapted is refused in the report and stays as it is.  Self-intersections are not looked
+  for.
+
+Guarantees: the result is all-quad, conforming and manifold, with the Euler characteristic and
+border loops of the input; corners keep their position, feature curves and border their support; if
+the call is refused or cancelled, or `sizing`, `visitor` or `callback` throws, the mesh is
+unchanged.  Not guaranteed: a minimum quality where the features themselves enforce a small angle.
+
+Complexity: near linear in the number of faces of input and output, for bounded valences.
+*/
+template <typename SizingField, typename QuadMesh,
+          typename NamedParameters = parameters::Default_named_parameters>
+Adaptation_report adapt_quad_mesh(const SizingField& sizing, QuadMesh& mesh,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  return internal::adapt_faces(faces(mesh), false, sizing, mesh, np);
+}
+
+/*!
+the same for a region: only the faces of `region` change.  The edges between the region and the
+rest stay as they are, so that the mesh remains conforming.
+
+\tparam FaceRange a model of `ConstRange` with value type `face_descriptor`.
+*/
+template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
+          typename = typename boost::graph_traits<QuadMesh>::face_descriptor>
+Adaptation_report adapt_quad_mesh(const FaceRange& region, const SizingField& sizing,
+                                  QuadMesh& mesh, const NamedParameters& np)
+{
+  return internal::adapt_faces(region, true, sizing, mesh, np);
+}
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_ADAPT_QUAD_MESH_H
