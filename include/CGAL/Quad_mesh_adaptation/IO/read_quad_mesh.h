@@ -68,9 +68,9 @@ bool fill_mesh(const Polygon_soup& soup, Mesh& mesh)
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   using Traits = boost::graph_traits<Mesh>;
   CGAL::clear(mesh);
-  CGAL::reserve(mesh, static_cast<typename Traits::vertices_size_type>(soup.points.size()),
-                static_cast<typename Traits::edges_size_type>(2 * soup.faces.size()),
-                static_cast<typename Traits::faces_size_type>(soup.faces.size()));
+  reserve(mesh, static_cast<typename Traits::vertices_size_type>(soup.points.size()),
+          static_cast<typename Traits::edges_size_type>(2 * soup.faces.size()),
+          static_cast<typename Traits::faces_size_type>(soup.faces.size()));
   std::vector<typename Traits::vertex_descriptor> vertices;
   vertices.reserve(soup.points.size());
   for(const Vec& p : soup.points) {

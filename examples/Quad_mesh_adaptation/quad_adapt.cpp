@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// quad_adapt INPUT OUTPUT (--size H | --size-function EXPR) [options]
+// Adapts a quad mesh in a file to sizes; see quad_adapt --help.
+
+#include "quad_adapt/Options.h"
+#include "quad_adapt/Progress.h"
+#include "quad_adapt/Size_expression.h"
+#include "support/face_fields.h"
+#include "support/print_report.h"
+#include "support/report_json.h"
+
+#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/IO/write_picture.h>
+#include <CGAL/Quad_mesh_adaptation/IO/write_quad_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+
+namespace QMA = CGAL::Quad_mesh_adaptation;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Size_function = std::function<double(const Point&)>;
+
+int refuse(const std::string& message, int exit_code = exit_refused)
+{
+  std::cerr << "quad_adapt: " << message << '\n';
+  return exit_code;
+}
+
+// 0, or the exit code after having said why.
+int read_sizes(const Options& options, Size_function& size)
+{
+  if(!options.size) {
+    Size_expression expression;
+    std::string message;
+    if(!expression.parse(*options.size_function, message))
+      return refuse("--size-function: " + message + "; see quad_adapt --help", exit_wrong_usage);
+    size = expression;
+    return 0;
+  }
+  const std::string& text = *options.size;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if(text.find_first_not_of(" \t") == std::string::npos || *end != 0)
+    return refuse("--size: \"" + text + "\" is not a number");
+  if(!(value > 0) || !std::isfinite(value))
+    return refuse("--size: " + text + " is not a positive finite length");
+  size = [value](const Point&) { return value; };
+  return 0;
+}
+
+// 0, or the exit code after having said why.
+int read_inputs(const Options& options, Mesh& mesh, Mesh& reference)
+{
+  QMA::Read_result result = QMA::read_quad_mesh(options.input, mesh);
+  if(!result.ok()) return refuse(result.message);
+  if(!options.is_quiet)
+    for(const std::string& note : result.notes)
+      std::cerr << "quad_adapt: note: " << options.input << ": " << note << '\n';
+  if(options.reference.empty()) return 0;
+  result = QMA::read_surface(options.reference, reference);
+  return result.ok() ? 0 : refuse(result.message);
+}
+
+// Before the work rather than after it.
+int probe_outputs(const Options& options)
+{
+  for(const std::string& file : { options.output, options.report, options.picture }) {
+    if(file.empty()) continue;
+    const QMA::Write_result result = QMA::File_transaction::probe(file);
+    if(!result.ok()) return refuse(result.message);
+  }
+  return 0;
+}
+
+template <class Parameters>
+QMA::Adaptation_report adapt(const Options& options, const Size_function& size, Mesh& mesh,
+                             const Mesh& reference, const Parameters& more)
+{
+  const auto schedule =
+      options.schedule == "paper" ? QMA::Schedule::paper : QMA::Schedule::progressive;
+  const auto parameters = QMA::schedule(schedule, QMA::feature_angle(options.feature_angle, more));
+  if(options.reference.empty()) return QMA::adapt_quad_mesh(size, mesh, parameters);
+  return QMA::adapt_quad_mesh(size, mesh, QMA::reference_surface(reference, parameters));
+}
+
+QMA::Adaptation_report adapt(const Options& options, const Size_function& size, Mesh& mesh,
+                             const Mesh& reference)
+{
+  Progress progress(options.is_quiet);
+  const std::function<bool(double)> callback = [&](double done) { return progress.advance(done); };
+  const auto parameters = CGAL::parameters::visitor(std::ref(progress)).callback(callback);
+  if(options.max_iterations == 0) return adapt(options, size, mesh, reference, parameters);
+  return adapt(options, size, mesh, reference,
+               parameters.number_of_iterations(options.max_iterations));
+}
+
+// All files or none.
+int write_outputs(const Options& options, const Size_function& size, const Mesh& initial,
+                  const Mesh& mesh, const QMA::Adaptation_report& report)
+{
+  QMA::File_transaction files;
+  QMA::Write_result result = files.stage(
+      options.output,
+      QMA::quad_mesh_file_contents(options.output, mesh, size_and_quality_fields(mesh, size)));
+  if(result.ok() && !options.report.empty())
+    result = files.stage(options.report, to_json(report).dump(2) + '\n');
+  if(result.ok() && !options.picture.empty())
+    result = files.stage(options.picture, QMA::picture_file_contents(initial, size, mesh));
+  if(is_interrupted) return exit_interrupted;
+  if(result.ok()) result = files.commit();
+  return result.ok() ? 0 : refuse(result.message);
+}
+
+int run(const Options& options)
+{
+  Size_function size;
+  Mesh mesh, reference;
+  int exit_code = read_sizes(options, size);
+  if(exit_code == 0) exit_code = read_inputs(options, mesh, reference);
+  if(exit_code == 0) exit_code = probe_outputs(options);
+  if(exit_code != 0) return exit_code;
+
+  const Mesh initial = options.picture.empty() ? Mesh() : mesh;
+  catch_interrupts();
+  const QMA::Adaptation_report report = adapt(options, size, mesh, reference);
+  if(report.status == QMA::Adaptation_status::cancelled)
+    return refuse("interrupted, nothing was written", exit_interrupted);
+  if(!report.has_valid_mesh()) return refuse(options.input + ": " + report.message);
+
+  exit_code = write_outputs(options, size, initial, mesh, report);
+  if(exit_code == exit_interrupted) return refuse("interrupted, nothing was written", exit_code);
+  if(exit_code != 0) return exit_code;
+  if(!options.is_quiet) print_report(std::cout, report);
+  if(report.status == QMA::Adaptation_status::sizes_met) return exit_sizes_met;
+  return refuse("the sizes were not met: " + report.message, exit_sizes_not_met);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  int exit_code = exit_wrong_usage;
+  if(!parse_options(argc, argv, options, exit_code)) return exit_code;
+  try {
+    return run(options);
+  } catch(const std::exception& error) {
+    return refuse(std::string("nothing was written: ") + error.what());
+  }
+}

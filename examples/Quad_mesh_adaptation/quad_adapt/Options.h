@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUAD_ADAPT_OPTIONS_H
+#define QUAD_ADAPT_OPTIONS_H
+
+#include <CGAL/Quad_mesh_adaptation/IO/write_quad_mesh.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <set>
+#include <string>
+
+#ifndef QUAD_MESH_ADAPTATION_VERSION
+#define QUAD_MESH_ADAPTATION_VERSION "0.1.0"
+#endif
+
+/// What the program is asked to do.
+struct Options
+{
+  std::string input, output;
+  std::optional<std::string> size, size_function; // exactly one is given
+  std::string reference, report, picture;
+  std::string schedule = "default";
+  double feature_angle = 40;
+  unsigned max_iterations = 0; // 0: the library's own limit
+  bool is_quiet = false;
+};
+
+/// What the program's exit code says.
+enum Exit_code
+{
+  exit_sizes_met = 0,
+  exit_refused = 1,
+  exit_wrong_usage = 2,
+  exit_sizes_not_met = 3,
+  exit_interrupted = 130
+};
+
+// Throws CLI::ValidationError where options contradict each other.
+inline void check_options(const Options& options)
+{
+  using CGAL::Quad_mesh_adaptation::is_mesh_format_known;
+  if(!is_mesh_format_known(options.output))
+    throw CLI::ValidationError("OUTPUT", "must end in .off, .obj, .ply, .vtk or .vtu, not be " +
+                                             options.output);
+  if(!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".svg")
+    throw CLI::ValidationError("--picture", "must end in .svg, not be " + options.picture);
+  // the mesh may be adapted in place, all other files must differ
+  std::set<std::string> names = { options.input, options.reference };
+  if(options.output == options.input) names.erase(options.input);
+  for(const std::string& file : { options.output, options.report, options.picture })
+    if(!file.empty() && !names.insert(file).second)
+      throw CLI::ValidationError("OUTPUT, --report, --picture", file + " is named twice");
+}
+
+inline void describe_options(CLI::App& app, Options& options)
+{
+  app.add_option("INPUT", options.input, "Quad mesh to adapt (.off, .obj, .ply)")->required();
+  app.add_option("OUTPUT", options.output,
+                 "Where to write the adapted mesh (.off, .obj, .ply, .vtk, .vtu)")
+      ->required();
+  auto* sizes = app.add_option_group("Sizes", "One of the two");
+  sizes->add_option("--size", options.size, "Edge length to have everywhere")->type_name("H");
+  sizes
+      ->add_option("--size-function", options.size_function,
+                   "Edge length as an expression in x, y, z")
+      ->type_name("EXPR");
+  sizes->require_option(1);
+  app.add_option("--reference", options.reference,
+                 "Finer surface to stay on; its border curves are the curves [INPUT]")
+      ->type_name("SURFACE");
+  app.add_option("--feature-angle", options.feature_angle,
+                 "Turn in degrees from which an edge or a corner is kept; 180 keeps none")
+      ->type_name("DEG")
+      ->check(CLI::Range(0., 180.))
+      ->capture_default_str();
+  app.add_option("--schedule", options.schedule, "Order and aim of the phases")
+      ->type_name("paper|default")
+      ->check(CLI::IsMember({ "paper", "default" }))
+      ->capture_default_str();
+  app.add_option("--max-iterations", options.max_iterations, "Passes at most")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--report", options.report, "Write what was done and measured, as JSON")
+      ->type_name("FILE.json");
+  app.add_option("--picture", options.picture,
+                 "Draw the initial mesh, the sizing function and the adapted mesh")
+      ->type_name("FILE.svg");
+  app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
+  app.set_version_flag("--version", "quad_adapt " QUAD_MESH_ADAPTATION_VERSION);
+  app.footer(
+      "Expressions: + - * / ^ ?: < > == && ||, pi, min max abs sqrt exp ln log10 sin cos tan\n"
+      "  asin acos atan atan2 hypot floor ceil, if(a, b, c), clamp(v, low, high)\n"
+      "Examples:\n"
+      "  quad_adapt plate.off adapted.vtk --size-function \"0.1 + abs(hypot(x, y) - 4.8)\"\n"
+      "  quad_adapt part.obj coarse.obj --size 2.5 --reference part_fine.ply --picture part.svg\n"
+      "Exit codes:\n"
+      "  0    the mesh was written, all sizes are met\n"
+      "  1    input or sizes refused, or an output cannot be written: nothing was written\n"
+      "  2    wrong usage\n"
+      "  3    a valid mesh was written, but some faces are larger than asked\n"
+      "  130  interrupted, nothing was written");
+}
+
+/// Reads the command line.  `false` when the program is to end with `exit_code`, everything being
+/// said.
+inline bool parse_options(int argc, char** argv, Options& options, int& exit_code)
+{
+  CLI::App app("Adapts a mesh of quadrilaterals to a sizing function: refines, coarsens and "
+               "smooths it, all quads, on its surface.",
+               "quad_adapt");
+  describe_options(app, options);
+  try {
+    app.parse(argc, argv);
+    check_options(options);
+    return true;
+  } catch(const CLI::CallForHelp&) {
+    std::cout << app.help();
+    exit_code = exit_sizes_met;
+  } catch(const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
+    exit_code = exit_sizes_met;
+  } catch(const CLI::ParseError& error) {
+    std::cerr << "quad_adapt: " << error.what() << "; see quad_adapt --help\n";
+    exit_code = exit_wrong_usage;
+  }
+  return false;
+}
+
+#endif // QUAD_ADAPT_OPTIONS_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUAD_ADAPT_PROGRESS_H
+#define QUAD_ADAPT_PROGRESS_H
+
+#include <CGAL/Quad_mesh_adaptation/Adaptation_visitor.h>
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+
+// Set by the first Ctrl-C; a second one ends the program at once.
+inline volatile std::sig_atomic_t is_interrupted = 0;
+
+extern "C" inline void interrupt(int signal)
+{
+  is_interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+/// Lets Ctrl-C and a termination signal cancel the adaptation instead of ending the program.
+inline void catch_interrupts()
+{
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+}
+
+/// A line on the terminal (the error stream, only when it is one) that says what is being done.
+class Progress : public CGAL::Quad_mesh_adaptation::Adaptation_visitor
+{
+public:
+  explicit Progress(bool is_quiet) : is_shown_(!is_quiet && isatty(STDERR_FILENO) != 0) {}
+  ~Progress() { clear(); }
+
+  void start_phase(const char* name, std::size_t iteration)
+  {
+    phase_ = name;
+    iteration_ = iteration;
+    show();
+  }
+  void end_phase(const char* /*name*/, std::size_t faces)
+  {
+    faces_ = faces;
+    show();
+  }
+  bool go_further() { return is_interrupted == 0; }
+
+  /// How much is done, in [0, 1]; `false` asks to stop.
+  bool advance(double fraction)
+  {
+    fraction_ = fraction;
+    show();
+    return go_further();
+  }
+
+  void clear()
+  {
+    if(is_shown_ && is_dirty_) std::fputs("\r\033[K", stderr);
+    is_dirty_ = false;
+  }
+
+private:
+  void show()
+  {
+    if(!is_shown_) return;
+    char line[160];
+    std::snprintf(line, sizeof line, "%3.0f %%  iteration %zu  %-20.40s %zu faces", 100 * fraction_,
+                  iteration_, phase_.c_str(), faces_);
+    if(line == shown_) return;
+    shown_ = line;
+    std::fprintf(stderr, "\r\033[K%s", line);
+    std::fflush(stderr);
+    is_dirty_ = true;
+  }
+
+  bool is_shown_, is_dirty_ = false;
+  double fraction_ = 0;
+  std::size_t iteration_ = 0, faces_ = 0;
+  std::string phase_, shown_;
+};
+
+#endif // QUAD_ADAPT_PROGRESS_H

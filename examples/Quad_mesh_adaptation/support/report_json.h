@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUAD_MESH_ADAPTATION_EXAMPLES_REPORT_JSON_H
+#define QUAD_MESH_ADAPTATION_EXAMPLES_REPORT_JSON_H
+
+#include "report_names.h"
+
+#include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+/// Counts per bin, the bins named by their limits, and the extremes.
+inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Size_ratio_table& table)
+{
+  nlohmann::ordered_json faces;
+  for(std::size_t bin = 0; bin < table.number_of_bins; ++bin)
+    faces[table.titles()[bin]] = table.counts[bin];
+  return { { "faces", faces },
+           { "percent_not_larger", table.percent_not_larger() },
+           { "min", table.min },
+           { "mean", table.mean },
+           { "max", table.max } };
+}
+
+inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Mesh_measures& m)
+{
+  nlohmann::ordered_json valence;
+  for(const auto& [edges, vertices] : m.interior_valence) valence[std::to_string(edges)] = vertices;
+  return {
+    { "vertices", m.vertices },
+    { "edges", m.edges },
+    { "faces", m.faces },
+    { "components", m.components },
+    { "boundary_edges", m.boundary_edges },
+    { "boundary_loops", m.boundary_loops },
+    { "euler_characteristic", m.euler_characteristic },
+    { "size_ratio", to_json(m.size_ratio) },
+    { "strict_size_ratio", to_json(m.strict_size_ratio) },
+    { "ideal_number_of_faces", m.ideal_number_of_faces },
+    { "efficiency", m.efficiency },
+    { "scaled_jacobian",
+      { { "min", m.min_scaled_jacobian },
+        { "p5", m.p5_scaled_jacobian },
+        { "mean", m.mean_scaled_jacobian } } },
+    { "angle_degrees", { { "min", m.min_angle }, { "max", m.max_angle } } },
+    { "inverted_faces", m.inverted_faces },
+    { "interior_vertices", m.interior_vertices },
+    { "interior_valence", valence.is_null() ? nlohmann::ordered_json::object() : valence },
+    { "irregular_interior_vertices", m.irregular_interior_vertices },
+    { "max_valence", m.max_valence },
+    { "max_distance_to_reference", m.max_distance_to_reference },
+  };
+}
+
+/// The whole report; numbers that are not finite become null.
+inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptation_report& report)
+{
+  nlohmann::ordered_json operations = nlohmann::ordered_json::object(),
+                         seconds = nlohmann::ordered_json::object();
+  for(const auto& operation : report.operations) operations[operation.name] = operation.count;
+  for(const auto& phase : report.times) seconds[phase.name] = phase.seconds;
+  return { { "status", name_of(report.status) },
+           { "reason", name_of(report.reason) },
+           { "message", report.message },
+           { "entity", report.entity },
+           { "iterations", report.iterations },
+           { "before", to_json(report.before) },
+           { "after", to_json(report.after) },
+           { "operations", operations },
+           { "seconds", seconds },
+           { "faces_too_large", report.faces_too_large } };
+}
+
+#endif // QUAD_MESH_ADAPTATION_EXAMPLES_REPORT_JSON_H

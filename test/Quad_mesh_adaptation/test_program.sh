@@ -1,0 +1,185 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Quad_mesh_adaptation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_program.sh PATH_OF_QUAD_ADAPT
+# Runs the program through all its exit codes, and checks that a refusal says why in one line on
+# the error stream and writes nothing.
+set -u
+program=$(realpath "${1:?usage: test_program.sh PATH_OF_QUAD_ADAPT}")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+checks=0
+
+fail() {
+  failures=$((failures + 1))
+  printf 'FAILED: %s\n' "$*"
+  [ -s .err ] && sed 's/^/    /' .err
+}
+
+# grid N: a square of N x N unit quads as OFF
+grid() {
+  awk -v n="$1" 'BEGIN {
+    print "OFF\n" (n+1)*(n+1), n*n, 0
+    for(j = 0; j <= n; ++j) for(i = 0; i <= n; ++i) print i, j, 0
+    for(j = 0; j < n; ++j) for(i = 0; i < n; ++i)
+      print 4, j*(n+1)+i, j*(n+1)+i+1, (j+1)*(n+1)+i+1, (j+1)*(n+1)+i }'
+}
+listing() { find . -type f ! -name '.out' ! -name '.err' -exec md5sum {} + | sort; }
+
+# expect CODE PATTERN ARGUMENTS...: exit code, error stream matching; nothing written unless 0 or 3
+expect() {
+  local code=$1 pattern=$2 before after status
+  shift 2
+  checks=$((checks + 1))
+  before=$(listing)
+  "$program" "$@" >.out 2>.err
+  status=$?
+  after=$(listing)
+  [ "$status" -eq "$code" ] || fail "exit code $status instead of $code: quad_adapt $*"
+  [ -z "$pattern" ] || grep -qiE -e "$pattern" .err || fail "the message does not match '$pattern': quad_adapt $*"
+  case $code in
+    0 | 3) ;;
+    *)
+      [ "$before" = "$after" ] || fail "something was written: quad_adapt $*"
+      [ "$(grep -c '' .err)" -eq 1 ] || fail "not one line of message: quad_adapt $*"
+      ;;
+  esac
+}
+# refuse PATTERN TEXT_OF_OFF: a refused input
+refuse() {
+  printf '%b' "$2" >bad.off
+  expect 1 "$1" bad.off out.off --size 1 --report report.json --picture picture.svg
+}
+wrote() { for file in "$@"; do [ -s "$file" ] || fail "$file was not written"; done; }
+
+grid 4 >plate.off
+square='0 0 0\n1 0 0\n1 1 0\n0 1 0\n'
+
+# sizes met: all files there, all formats, input untouched
+sum=$(md5sum <plate.off)
+expect 0 '' plate.off out.off --size 1
+wrote out.off
+[ "$(head -n 1 out.off)" = OFF ] || fail "out.off is no OFF file"
+grep -q 'Size ratio' .out || fail "no table was printed"
+for format in obj ply vtk vtu; do
+  expect 0 '' plate.off "out.$format" --size 0.6 --quiet
+  wrote "out.$format"
+  [ -s .out ] && fail "--quiet printed something"
+done
+expect 0 '' out.obj again.ply --size 1 --quiet
+expect 0 '' out.ply again.off --size 1 --quiet
+expect 0 '' plate.off out.off --size-function '0.5 + 0.1 * hypot(x, y)' --report report.json \
+  --picture picture.svg --schedule default --feature-angle 40 --max-iterations 20 --quiet
+wrote out.off report.json picture.svg
+grep -q '"status": "sizes_met"' report.json || fail "report.json does not say sizes_met"
+grep -q '<svg' picture.svg || fail "picture.svg is no picture"
+if command -v python3 >.out; then
+  python3 -c 'import json, sys, xml.dom.minidom
+r = json.load(open("report.json")); xml.dom.minidom.parse("picture.svg")
+xml.dom.minidom.parse("out.vtu")
+faces = int(open("out.off").read().split()[2])
+sys.exit(not (r["after"]["faces"] == faces == sum(r["after"]["size_ratio"]["faces"].values())))' ||
+    fail "report.json, picture.svg, out.vtu and out.off do not agree or are not well formed"
+fi
+grid 8 | awk 'NR > 2 && NF == 3 { print $1 / 2, $2 / 2, $3; next } { print }' >fine.off
+expect 0 '' plate.off out.off --size 0.8 --reference fine.off --quiet
+cp plate.off in_place.off
+expect 0 '' in_place.off in_place.off --size 0.5 --quiet
+[ "$(head -n 2 in_place.off | tail -n 1)" = "$(head -n 2 plate.off | tail -n 1)" ] &&
+  fail "in_place.off was not adapted"
+[ "$sum" = "$(md5sum <plate.off)" ] || fail "the input was changed"
+expect 0 '' --help
+expect 0 '' --version
+
+# a valid mesh, sizes not met
+rm -f out.off
+expect 3 'not met' plate.off out.off --size 0.01 --schedule paper --max-iterations 1 \
+  --report report.json --quiet
+wrote out.off
+grep -q '"status": "sizes_not_met"' report.json || fail "report.json does not say sizes_not_met"
+rm -f out.* again.* report.json picture.svg
+
+# refused meshes
+refuse 'face 0 has 3 vertices' "OFF\n4 2 0\n${square}3 0 1 2\n3 0 2 3\n"
+refuse 'shared by 3 faces' "OFF\n8 3 0\n${square}1 0 1\n1 1 1\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 6 7 2\n4 1 4 5 2\n"
+refuse 'share no edge' "OFF\n7 2 0\n${square}2 1 0\n2 2 0\n1 2 0\n4 0 1 2 3\n4 2 4 5 6\n"
+refuse 'one-sided' "OFF\n6 3 0\n1 0 0\n1 0.5 1\n-1 1 0\n-1 1 1\n-1 -1 0\n-1 -1 1\n4 0 1 3 2\n4 2 3 5 4\n4 4 5 0 1\n"
+refuse 'degenerate' "OFF\n4 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 1 2 3\n"
+refuse 'same place' "OFF\n4 1 0\n0 0 0\n1 0 0\n1 0 0\n0 1 0\n4 0 1 2 3\n"
+refuse 'vertex 2 .*not finite' "OFF\n4 1 0\n0 0 0\n1 0 0\n1 nan 0\n0 1 0\n4 0 1 2 3\n"
+refuse 'vertex 2 .*not finite' "OFF\n4 1 0\n0 0 0\n1 0 0\n1 -inf 0\n0 1 0\n4 0 1 2 3\n"
+refuse 'no vertices' "OFF\n0 0 0\n"
+refuse 'empty' ''
+refuse 'truncated' "OFF\n4 2 0\n${square}4 0 1 2 3\n"
+refuse 'truncated' "OFF\n4 1 0\n0 0 0\n1 0 0\n"
+refuse 'truncated' "OFF\n4 1 0\n${square}4 0 1 2\n"
+refuse 'vertex number' "OFF\n4 1 0\n${square}4 0 1 2 4\n"
+refuse 'instead of OFF' 'once upon a time\n'
+expect 1 'no such file' missing.off out.off --size 1
+mkdir folder.off
+expect 1 'regular file' folder.off out.off --size 1
+expect 1 'must end in' plate.stl out.off --size 1
+if [ "$(id -u)" -ne 0 ]; then
+  grid 1 >secret.off && chmod 000 secret.off
+  expect 1 'cannot be opened' secret.off out.off --size 1
+  rm -f secret.off
+fi
+expect 1 'missing_reference.off' plate.off out.off --size 1 --reference missing_reference.off
+
+# refused sizes
+for size in nan NaN inf -inf 0 -1 1e999; do
+  expect 1 'not a positive finite' plate.off out.off --size "$size"
+done
+for size in abc 1x '' '1 2'; do
+  expect 1 'not a number' plate.off out.off --size "$size"
+done
+for expression in 'x - x' '-1' 'x - 2' 'sqrt(-1 - x)' '1 / (x - x)' '0 / (x - x)' 'ln(x)'; do
+  expect 1 'size' plate.off out.off --size-function "$expression" --report report.json
+done
+
+# outputs that cannot be written: known before the work, and then none is
+expect 1 'cannot be written' plate.off no/such/folder/out.off --size 1
+expect 1 'cannot be written' plate.off folder.off --size 1
+expect 1 'cannot be written' plate.off out.off --size 1 --report no/such/folder/report.json
+expect 1 'cannot be written' plate.off out.off --size 1 --picture no/such/folder/picture.svg
+
+# wrong usage
+expect 2 'INPUT'
+expect 2 'OUTPUT' plate.off --size 1
+expect 2 'size' plate.off out.off
+expect 2 'size' plate.off out.off --size 1 --size-function x
+expect 2 'bogus' plate.off out.off --size 1 --bogus
+expect 2 'not expected' plate.off out.off more.off --size 1
+expect 2 'must end in' plate.off out.stl --size 1
+expect 2 'must end in' plate.off out.off --size 1 --picture picture.gif
+expect 2 'twice' plate.off out.off --size 1 --report out.off
+expect 2 'twice' plate.off out.off --size 1 --report plate.off
+expect 2 'schedule' plate.off out.off --size 1 --schedule fast
+expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle -3
+expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle wide
+expect 2 'max-iterations' plate.off out.off --size 1 --max-iterations 0
+for expression in 'x +' 'q' '1, 2' '(x' '' 'sin(x, y)'; do
+  expect 2 'size-function' plate.off out.off --size-function "$expression"
+done
+
+# interrupted: by its own code, nothing written.  Job control, or the child would ignore Ctrl-C.
+grid 40 >large.off
+before=$(listing)
+set -m
+"$program" large.off out.off --size 0.05 --quiet >.out 2>.err &
+child=$!
+sleep 1
+kill -INT "$child"
+wait "$child"
+status=$?
+set +m
+checks=$((checks + 1))
+[ "$status" -eq 130 ] || fail "exit code $status instead of 130 after an interrupt"
+grep -q 'nothing was written' .err || fail "an interrupt is not told"
+[ "$before" = "$(listing)" ] || fail "something was written in spite of an interrupt"
+
+printf '%d checks, %d failures\n' "$checks" "$failures"
+[ "$failures" -eq 0 ]
