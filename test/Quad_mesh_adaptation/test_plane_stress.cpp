@@ -3,6 +3,7 @@
 
 // The finite-element analysis of the plate example.
 
+#include "../../examples/Quad_mesh_adaptation/support/polar_plate.h"
 #include "../../examples/Quad_mesh_adaptation/support/quarter_plate_in_tension.h"
 #include "../../examples/Quad_mesh_adaptation/support/sizes_from_error.h"
 
@@ -44,24 +45,6 @@ Plane_mesh distorted_square(int n)
   for(Vector2d& p : mesh.nodes)
     if(p.minCoeff() > 1e-9 && p.maxCoeff() < 1 - 1e-9) p += Vector2d(push(random), push(random));
   return mesh;
-}
-
-// Polar mesh of the quarter of a plate [-length, length] x [-width, width] with a hole of radius 1;
-// n elements round the hole, n even and a multiple of what the corner needs, layers graded.
-Plane_mesh quarter_with_hole(double length, double width, int n, int layers)
-{
-  const double half_turn = std::acos(-1.);
-  return mapped_grid(layers, n, [=](double w, double t) {
-    const double angle = t * half_turn / 2;
-    const Vector2d hole(std::cos(angle), std::sin(angle));
-    const Vector2d far =
-        t <= 0.5 ? Vector2d(length, 2 * t * width) : Vector2d(2 * (1 - t) * length, width);
-    const double r = (std::exp(3 * w) - 1) / (std::exp(3.) - 1); // fine at the hole
-    Vector2d p = (1 - r) * hole + r * far;
-    if(t == 0) p.y() = 0;
-    if(t == 1) p.x() = 0;
-    return p;
-  });
 }
 
 const Material steel = { 210000., 0.3, 2. };
@@ -154,7 +137,7 @@ TEST(Plane_stress, energy_converges_with_the_square_of_the_size)
 {
   std::vector<double> energy, estimated;
   for(int n : { 8, 16, 32, 64 }) {
-    const auto r = Quarter_plate_in_tension().solve(quarter_with_hole(6, 6, n, n));
+    const auto r = Quarter_plate_in_tension().solve(polar_plate(6, 6, n, n));
     energy.push_back(r.estimate.energy_norm * r.estimate.energy_norm);
     estimated.push_back(r.estimate.error_norm);
   }
@@ -173,10 +156,10 @@ TEST(Plane_stress, stress_concentration_meets_the_handbook)
   EXPECT_NEAR(howland_factor(0.1, 1), 3.0354, 1e-4);
   Quarter_plate_in_tension plate;
   // d/w = 0.1, four times as long as wide
-  const auto strip = plate.solve(quarter_with_hole(40, 10, 96, 96));
+  const auto strip = plate.solve(polar_plate(40, 10, 96, 96));
   EXPECT_NEAR(strip.stress_concentration, howland_factor(2, 20), 0.01 * 3.0354);
   // a square plate with the same hole: 3.086, a known result of quadratic elements
-  const auto square = plate.solve(quarter_with_hole(10, 10, 96, 96));
+  const auto square = plate.solve(polar_plate(10, 10, 96, 96));
   EXPECT_NEAR(square.stress_concentration, 3.086, 0.01 * 3.086);
 }
 

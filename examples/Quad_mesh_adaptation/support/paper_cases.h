@@ -31,6 +31,8 @@ struct Paper_case
   Sizing size;
   std::string size_text;                   // the size as a formula in x, y, z
   std::array<std::size_t, 8> paper_counts; // Tables 1-3: faces per bin of the size ratio
+  bool has_papers_size =
+      true; // the paper asked for about this size; else its efficiency is not known
 };
 
 /// The flat square [-5,5]^2 in 10k x 10k quads.

@@ -7,12 +7,13 @@
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
 #else
 #include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #endif
 
 #include <cstddef>
@@ -28,11 +29,12 @@ namespace internal {
 class Triangle_tree
 {
   using Triangle_3 = Core_kernel::Triangle_3;
-  using Primitive =
-      CGAL::AABB_triangle_primitive<Core_kernel, std::vector<Triangle_3>::const_iterator>;
+  using Iterator = std::vector<Triangle_3>::const_iterator;
 #if CGAL_VERSION_NR >= 1060000000
+  using Primitive = CGAL::AABB_triangle_primitive_3<Core_kernel, Iterator>;
   using Traits = CGAL::AABB_traits_3<Core_kernel, Primitive>;
 #else
+  using Primitive = CGAL::AABB_triangle_primitive<Core_kernel, Iterator>;
   using Traits = CGAL::AABB_traits<Core_kernel, Primitive>;
 #endif
 
