@@ -1,0 +1,18 @@
+# Copyright (c) 2026 The Quad_mesh_adaptation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The target `header_checks` compiles every header alone, twice included: it must bring what it
+# uses and guard itself.
+file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/include/*.h)
+set(sources "")
+foreach(header IN LISTS headers)
+  string(MAKE_C_IDENTIFIER ${header} name)
+  set(source ${PROJECT_BINARY_DIR}/header_checks/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "#include <@header@>\n#include <@header@>\n" @ONLY)
+  list(APPEND sources ${source})
+endforeach()
+add_library(header_checks OBJECT ${sources})
+target_link_libraries(header_checks PRIVATE CGAL::Quad_mesh_adaptation quad_mesh_build_flags)
+# Only the compiler's front end is of interest.
+target_compile_options(header_checks PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0 -g0>)

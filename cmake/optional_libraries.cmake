@@ -1,0 +1,59 @@
+# Copyright (c) 2026 The Quad_mesh_adaptation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Libraries that single programs need; the package itself needs none of them.
+find_package(Eigen3 3.3 QUIET NO_MODULE)
+find_package(CLI11 QUIET)
+find_package(nlohmann_json QUIET)
+find_package(muparser QUIET)
+
+set(library_of_Eigen Eigen3::Eigen)
+set(library_of_CLI11 CLI11::CLI11)
+set(library_of_json nlohmann_json::nlohmann_json)
+set(library_of_muParser muparser::muparser)
+
+# Links `target` to the libraries that are named (Eigen, CLI11, json, muParser).
+function(quad_mesh_link target)
+  target_link_libraries(${target} PRIVATE CGAL::Quad_mesh_adaptation quad_mesh_build_flags)
+  foreach(name IN LISTS ARGN)
+    target_link_libraries(${target} PRIVATE ${library_of_${name}})
+  endforeach()
+endfunction()
+
+# Sets `result` to ON when all named libraries are there; if not, says what `target` lacks.
+function(quad_mesh_check_libraries result target)
+  set(missing "")
+  foreach(name IN LISTS ARGN)
+    if(NOT DEFINED library_of_${name})
+      message(FATAL_ERROR "${target}: unknown library '${name}'")
+    elseif(NOT TARGET ${library_of_${name}})
+      list(APPEND missing ${name})
+    endif()
+  endforeach()
+  if(missing)
+    list(JOIN missing ", " missing)
+    message(STATUS "${target} is not built, missing: ${missing}")
+    set(${result} OFF PARENT_SCOPE)
+  else()
+    set(${result} ON PARENT_SCOPE)
+  endif()
+endfunction()
+
+# quad_mesh_program(name [INSTALL] [LIBRARIES Eigen CLI11 json muParser] [SOURCES file.cpp ...])
+# builds the sources, by default name.cpp.
+function(quad_mesh_program name)
+  cmake_parse_arguments(program "INSTALL" "" "LIBRARIES;SOURCES" ${ARGN})
+  quad_mesh_check_libraries(is_complete ${name} ${program_LIBRARIES})
+  if(NOT is_complete)
+    return()
+  endif()
+  if(NOT program_SOURCES)
+    set(program_SOURCES ${name}.cpp)
+  endif()
+  add_executable(${name} ${program_SOURCES})
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  quad_mesh_link(${name} ${program_LIBRARIES})
+  if(program_INSTALL)
+    install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs OPTIONAL)
+  endif()
+endfunction()

@@ -1,0 +1,54 @@
+#!/bin/bash
+# Copyright (c) 2026 The Quad_mesh_adaptation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test.sh              installs what is missing, builds the tests in build/release, runs them all
+# test.sh --headers    compiles every header on its own as well
+# test.sh --sanitize   a core of the tests with the address and undefined-behaviour sanitizers
+# test.sh --cgal6      headers, examples and a core of the tests with CGAL 6
+
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+folder=release
+targets="all"
+options=(-DCMAKE_BUILD_TYPE=Release)
+selection=()
+for argument in "$@"; do
+  case $argument in
+    --headers)
+      targets="all header_checks"
+      options+=(-DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
+      ;;
+    --sanitize)
+      folder=sanitize
+      targets="core_tests"
+      options+=(-DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=-O1 -g1"
+        -DQUAD_MESH_ADAPTATION_SANITIZE=ON -DQUAD_MESH_ADAPTATION_EXAMPLES=OFF)
+      selection=(-L core)
+      ;;
+    --cgal6)
+      folder=cgal6_tests
+      targets="header_checks examples core_tests"
+      options+=(-DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
+      selection=(-L core)
+      ;;
+    *)
+      sed -n '/^# test.sh/s/^# //p' "$0"
+      [[ $argument == --help ]] && exit 0
+      exit 2
+      ;;
+  esac
+done
+
+scripts/install_dependencies.sh
+if [[ $folder == cgal6_tests ]]; then
+  cgal_dir=$(scripts/get_cgal6.sh)
+  options+=("-DCGAL_DIR=$cgal_dir")
+fi
+scripts/build.sh $folder "$targets" "${options[@]}"
+
+echo "Running the tests in build/$folder ..."
+export UBSAN_OPTIONS=print_stacktrace=1
+ctest --test-dir "build/$folder" --output-on-failure -j "$(nproc)" --no-tests=error \
+  "${selection[@]}" | tee "build/$folder/ctest.log"
