@@ -24,7 +24,7 @@ inline void Cavity::count_corners()
     for(int v : q.v) ++new_corners_[v];
   for(std::size_t i = 0; i < n; ++i)
     total_corners_[i] =
-      (ids[i] >= 0 ? s_.mesh.vertex(ids[i]).faces - old_corners_[i] : 0) + new_corners_[i];
+        (ids[i] >= 0 ? s_.mesh.vertex(ids[i]).faces - old_corners_[i] : 0) + new_corners_[i];
 }
 
 inline bool Cavity::match_inside()
@@ -207,8 +207,7 @@ inline bool Cavity::close()
        (nodes[n].frozen || nodes[n].carrier == Carrier::corner || total_corners_[n] != 0))
       return false;
     const bool on_curve = nodes[n].carrier != Carrier::surface;
-    if(!gone && !border && !on_curve && total_corners_[n] < limit_of(n))
-      return false;
+    if(!gone && !border && !on_curve && total_corners_[n] < limit_of(n)) return false;
   }
   if(!match_outside() || !umbrellas_whole() || !curves_kept() || has_parallel_edge()) return false;
   measure_before();
