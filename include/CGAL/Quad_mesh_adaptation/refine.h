@@ -7,6 +7,9 @@
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
+#include <cmath>
+#include <cstddef>
+
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 

@@ -156,6 +156,8 @@ private:
     }
   };
 
+  bool remove_doublets();
+  bool fuse_at(int n);
   bool match_inside();
   bool match_outside();
   bool curves_kept() const;

@@ -165,6 +165,8 @@ private:
   double valence_change(Index v, int d) const
   {
     const Vertex_record& r = s_.mesh.vertex(v);
+    if(d == -1 && r.faces == 3 && r.carrier == Carrier::surface) // goes as a doublet
+      return -s_.valence_energy(3, r) - s_.energy.face - 2 * s_.energy.valence;
     if(d > 0 && !s_.mesh.is_border_vertex(v) && r.faces + d > options_.max_valence) return 1e6;
     return s_.valence_energy(r.faces + d, r) - s_.valence_energy(r.faces, r);
   }
@@ -227,7 +229,7 @@ private:
     const double base = s_.energy.face - slack(v);
     for(int i = 0; i < n; ++i)
       for(int sector = 2; sector < n; ++sector) { // faces that the new node takes
-        if(border && i + sector >= n) break;
+        if(border ? i + sector >= n : sector > n - 2) break; // v keeps three faces, too
         const Index ha = out_[i], hb = out_[(i + sector) % n];
         const int fresh = sector + 1 - 4;
         const double bound = base + s_.energy.valence * fresh * fresh +
