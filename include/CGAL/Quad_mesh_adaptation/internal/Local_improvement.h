@@ -23,7 +23,7 @@ struct Improvement_options
   bool close = true, open = true, swap = true, rotate = true, border = true;
   int max_valence = 5;           // of inner nodes, unless it was higher before
   bool keep_within_size = false; // no operation may leave a face above its size
-  double min_jacobian = 0.35;    // no face may fall below min(this, worst before)
+  double min_jacobian = 0.5;    // no face may fall below min(this, worst before)
   int sweeps = 2;                // of the local relaxation
   double halo_below = 2; // try again with more nodes free to move where this close to a gain
 };

@@ -39,7 +39,7 @@ public:
   std::vector<Star_face>& star() { return star_; }
 
   // Moves r to a better place and tells whether it did.  No corner of the star gets worse than
-  // the worst before, or than the floor of 0.3.
+  // the worst before, or than the floor (smoothing.min_corner).
   bool operator()(Vertex_record& r) const
   {
     const int dofs = directions(r);
@@ -237,7 +237,7 @@ private:
       s_.place(t);
       const Evaluation after = evaluate(t.p);
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
-         after.worst >= (std::min)(before.worst, 0.3)) {
+         after.worst >= (std::min)(before.worst, s_.smoothing.min_corner)) {
         r = t;
         return true;
       }
