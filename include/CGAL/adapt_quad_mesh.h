@@ -21,10 +21,9 @@ Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const Sizi
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const Schedule schedule = choose_parameter(get_parameter(np, schedule_tag), Schedule::progressive);
   const std::size_t iterations =
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
-  const bool paper = schedule == Schedule::paper;
+      choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
+  const bool paper = is_paper_schedule(np);
   return run_on_mesh(faces, is_region, sizing, mesh, np, paper,
                      [&](Adaptation_state& s, Adaptation_report&) {
                        if(paper)

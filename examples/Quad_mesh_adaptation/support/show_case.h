@@ -61,9 +61,8 @@ inline bool print_case(const Paper_case& c,
     report_printing::print_valences(std::cout, report.before, report.after);
     report_printing::print_times(std::cout, report);
   }
-  std::cout << "Result " << ::name_of(report.status) << " after "
-            << report.iterations << " iterations"
-            << (report.message.empty() ? "" : ": " + report.message) << '\n';
+  std::cout << "Result " << ::name_of(report.status) << " after " << report.iterations
+            << " iterations" << (report.message.empty() ? "" : ": " + report.message) << '\n';
   return report.has_valid_mesh();
 }
 

@@ -61,7 +61,7 @@ public:
       using Point_map = std::decay_t<decltype(get(CGAL::vertex_point, mesh))>;
       using Point = typename boost::property_traits<Point_map>::value_type;
       size = [&sizing](const internal::Vec& p) {
-        return double(sizing(Point(p.x(), p.y(), p.z())));
+        return CGAL::to_double(sizing(Point(p.x(), p.y(), p.z())));
       };
     }
     panels_.push_back({ title, internal::soup_of_mesh(mesh), size });

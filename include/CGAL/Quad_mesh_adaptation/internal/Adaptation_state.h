@@ -33,9 +33,10 @@ struct Smoothing_weights
 {
   double size = 1;
   int power = 10;
-  double hinge = 0;       // switched on for the last sweeps
+  double hinge = 0; // switched on for the last sweeps
   double hinge_at = 0.985;
   bool two_sided = false; // also push faces that are too small
+  double min_corner = 0.45; // no corner measure 2 D / N falls below min(this, worst before)
 };
 
 // Everything the phases work on: a compact copy of the caller's mesh, so that the call is
@@ -49,8 +50,8 @@ struct Adaptation_state
   Energy_weights energy;
   Smoothing_weights smoothing;
 
-  std::map<std::string, std::size_t> operations; // how often each was committed
-  std::vector<float> energy_cache;               // per face, NaN where not known
+  std::map<std::string, std::size_t> operations;               // how often each was committed
+  std::vector<float> energy_cache;                             // per face, NaN where not known
   std::function<void(double)> report_progress = [](double) {}; // throws Cancelled
   double progress = 0;                                         // of the whole call, 0 to 1
 

@@ -156,6 +156,8 @@ private:
     }
   };
 
+  bool remove_doublets();
+  bool fuse_at(int n);
   bool match_inside();
   bool match_outside();
   bool curves_kept() const;
@@ -176,15 +178,15 @@ private:
   }
   Vec reference_of(const Cavity_quad& q) const
   {
-    Vec n = nodes[q.v[0]].normal + nodes[q.v[1]].normal + nodes[q.v[2]].normal +
-            nodes[q.v[3]].normal;
+    Vec n =
+        nodes[q.v[0]].normal + nodes[q.v[1]].normal + nodes[q.v[2]].normal + nodes[q.v[3]].normal;
     if(n * n < 1e-12 && q.parent >= 0) n = area_vector(s_.corners(q.parent));
     return n;
   }
   double floor_of(const Cavity_quad& q) const
   {
-    return 0.25 * (nodes[q.v[0]].floor + nodes[q.v[1]].floor + nodes[q.v[2]].floor +
-                   nodes[q.v[3]].floor);
+    return 0.25 *
+           (nodes[q.v[0]].floor + nodes[q.v[1]].floor + nodes[q.v[2]].floor + nodes[q.v[3]].floor);
   }
   void write_faces(std::vector<Index>& face_of);
   void write_links(const std::vector<Index>& face_of);

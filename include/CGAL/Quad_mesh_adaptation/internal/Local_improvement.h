@@ -21,11 +21,11 @@ namespace internal {
 struct Improvement_options
 {
   bool close = true, open = true, swap = true, rotate = true, border = true;
-  int max_valence = 5;         // of inner nodes, unless it was higher before
+  int max_valence = 5;           // of inner nodes, unless it was higher before
   bool keep_within_size = false; // no operation may leave a face above its size
-  double min_jacobian = 0.35;  // no face may fall below min(this, worst before)
-  int sweeps = 2;              // of the local relaxation
-  double halo_below = 2;       // try again with more nodes free to move where this close to a gain
+  double min_jacobian = 0.5;    // no face may fall below min(this, worst before)
+  int sweeps = 2;                // of the local relaxation
+  double halo_below = 2; // try again with more nodes free to move where this close to a gain
 };
 
 // One pass after the other over the nodes: of all local operations about a node, the one that
@@ -35,7 +35,9 @@ class Local_improvement
 {
 public:
   Local_improvement(Adaptation_state& s, const Improvement_options& o)
-      : s_(s), options_(o), first_(s), second_(s) {}
+      : s_(s), options_(o), first_(s), second_(s)
+  {
+  }
 
   // All nodes, or those marked, are worth a visit.
   void activate_all() { active_.assign(s_.mesh.vertex_end(), 1); }
@@ -90,7 +92,16 @@ public:
   }
 
 private:
-  enum class Kind { close, open, swap_left, swap_right, rotate, border_collapse, border_split };
+  enum class Kind
+  {
+    close,
+    open,
+    swap_left,
+    swap_right,
+    rotate,
+    border_collapse,
+    border_split
+  };
   struct Candidate
   {
     Kind kind;
@@ -100,24 +111,38 @@ private:
 
   static const char* name(Kind k)
   {
-    return k == Kind::close    ? "face close"
-           : k == Kind::open   ? "face open"
-           : k == Kind::rotate ? "vertex rotation"
+    return k == Kind::close             ? "face close"
+           : k == Kind::open            ? "face open"
+           : k == Kind::rotate          ? "vertex rotation"
            : k == Kind::border_collapse ? "half-ring collapse"
-           : k == Kind::border_split ? "border split"
-                               : "edge swap";
+           : k == Kind::border_split    ? "border split"
+                                        : "edge swap";
   }
 
   void describe(const Candidate& c, Cavity& cavity)
   {
     switch(c.kind) {
-    case Kind::close: describe_face_close(s_, c.h, cavity); break;
-    case Kind::open: describe_face_open(s_, c.h, c.g, cavity); break;
-    case Kind::swap_left: describe_edge_swap(s_, c.h, true, cavity); break;
-    case Kind::swap_right: describe_edge_swap(s_, c.h, false, cavity); break;
-    case Kind::rotate: describe_vertex_rotation(s_, c.h, cavity); break;
-    case Kind::border_collapse: describe_half_ring_collapse(s_, pair_, cavity); break;
-    case Kind::border_split: describe_border_split(s_, pair_, cavity); break;
+    case Kind::close:
+      describe_face_close(s_, c.h, cavity);
+      break;
+    case Kind::open:
+      describe_face_open(s_, c.h, c.g, cavity);
+      break;
+    case Kind::swap_left:
+      describe_edge_swap(s_, c.h, true, cavity);
+      break;
+    case Kind::swap_right:
+      describe_edge_swap(s_, c.h, false, cavity);
+      break;
+    case Kind::rotate:
+      describe_vertex_rotation(s_, c.h, cavity);
+      break;
+    case Kind::border_collapse:
+      describe_half_ring_collapse(s_, pair_, cavity);
+      break;
+    case Kind::border_split:
+      describe_border_split(s_, pair_, cavity);
+      break;
     }
   }
 
@@ -140,6 +165,8 @@ private:
   double valence_change(Index v, int d) const
   {
     const Vertex_record& r = s_.mesh.vertex(v);
+    if(d == -1 && r.faces == 3 && r.carrier == Carrier::surface) // goes as a doublet
+      return -s_.valence_energy(3, r) - s_.energy.face - 2 * s_.energy.valence;
     if(d > 0 && !s_.mesh.is_border_vertex(v) && r.faces + d > options_.max_valence) return 1e6;
     return s_.valence_energy(r.faces + d, r) - s_.valence_energy(r.faces, r);
   }
@@ -188,7 +215,8 @@ private:
                      valence_change(e, -1);
       if(bound > 1e5) continue;
       bound -= slack(a) + slack(c) - (s_.cached_energy(m.face(h)) - s_.energy.face);
-      if(bound < -s_.energy.min_gain && is_face_close_allowed(s_, h)) add(Kind::close, h, -1, bound);
+      if(bound < -s_.energy.min_gain && is_face_close_allowed(s_, h))
+        add(Kind::close, h, -1, bound);
     }
   }
 
@@ -201,7 +229,7 @@ private:
     const double base = s_.energy.face - slack(v);
     for(int i = 0; i < n; ++i)
       for(int sector = 2; sector < n; ++sector) { // faces that the new node takes
-        if(border && i + sector >= n) break;
+        if(border ? i + sector >= n : sector > n - 2) break; // v keeps three faces, too
         const Index ha = out_[i], hb = out_[(i + sector) % n];
         const int fresh = sector + 1 - 4;
         const double bound = base + s_.energy.valence * fresh * fresh +
@@ -218,9 +246,9 @@ private:
     for(Index h : out_) {
       if(!is_edge_swap_allowed(s_, h)) continue;
       const Index o = m.opposite(h), u = m.target(h);
-      const double base = valence_change(v, -1) + valence_change(u, -1) -
-                          (s_.cached_energy(m.face(h)) + s_.cached_energy(m.face(o)) -
-                           2 * s_.energy.face);
+      const double base =
+          valence_change(v, -1) + valence_change(u, -1) -
+          (s_.cached_energy(m.face(h)) + s_.cached_energy(m.face(o)) - 2 * s_.energy.face);
       const Index x1 = m.target(m.next(h)), y1 = m.origin(m.prev(h));
       const Index x2 = m.target(m.next(o)), y2 = m.origin(m.prev(o));
       add(Kind::swap_left, h, -1, base + valence_change(x1, 1) + valence_change(x2, 1));
@@ -251,7 +279,9 @@ private:
     if(!is_half_ring_collapse_allowed(s_, b)) return;
     const auto own = [&](Index u) { return s_.valence_energy(m.vertex(u).faces, m.vertex(u)); };
     const bool corner = carrier_rank(m.vertex(b.a)) > 1 || carrier_rank(m.vertex(b.c)) > 1;
-    const Index keep = carrier_rank(m.vertex(b.a)) > 1 ? b.a : carrier_rank(m.vertex(b.c)) > 1 ? b.c : b.v;
+    const Index keep = carrier_rank(m.vertex(b.a)) > 1   ? b.a
+                       : carrier_rank(m.vertex(b.c)) > 1 ? b.c
+                                                         : b.v;
     const int faces = m.vertex(b.a).faces + m.vertex(b.c).faces + m.vertex(b.m).faces - 4;
     double collapse = -2 * s_.energy.face + s_.valence_energy(faces, m.vertex(keep)) - own(b.a) -
                       own(b.c) - own(b.m) - (corner ? 0. : own(b.v)) + valence_change(b.p, -1) +

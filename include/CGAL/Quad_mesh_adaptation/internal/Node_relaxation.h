@@ -17,9 +17,9 @@ namespace internal {
 // A face as seen from one of its corners, the node that moves.
 struct Star_face
 {
-  Vec q1, q2, q3;       // the other corners, counter-clockwise
-  Vec reference;        // direction the face should show
-  Vec grad_h;           // of the size, along the face; for the derivative only
+  Vec q1, q2, q3; // the other corners, counter-clockwise
+  Vec reference;  // direction the face should show
+  Vec grad_h;     // of the size, along the face; for the derivative only
   double floor = 0;
 };
 
@@ -39,7 +39,7 @@ public:
   std::vector<Star_face>& star() { return star_; }
 
   // Moves r to a better place and tells whether it did.  No corner of the star gets worse than
-  // the worst before, or than the floor of 0.3.
+  // the worst before, or than the floor (smoothing.min_corner).
   bool operator()(Vertex_record& r) const
   {
     const int dofs = directions(r);
@@ -134,8 +134,8 @@ private:
     const Vec n = Adaptation_state::facing(p, f.reference);
     // N = |a|^2 + |b|^2 and D = n . (a x b) at the corners x, q1 and q3; both edges depend on x
     // at the first, one at the others
-    add_corner(f.q1 - x, f.q3 - x, 4, 2 * (x - f.q1) + 2 * (x - f.q3), cross(n, f.q3 - f.q1),
-               n, dofs, m);
+    add_corner(f.q1 - x, f.q3 - x, 4, 2 * (x - f.q1) + 2 * (x - f.q3), cross(n, f.q3 - f.q1), n,
+               dofs, m);
     add_corner(f.q2 - f.q1, x - f.q1, 2, 2 * (x - f.q1), cross(n, f.q2 - f.q1), n, dofs, m);
     add_corner(x - f.q3, f.q2 - f.q3, 2, 2 * (x - f.q3), cross(f.q2 - f.q3, n), n, dofs, m);
     add_size(p, f, dofs, m);
@@ -237,7 +237,7 @@ private:
       s_.place(t);
       const Evaluation after = evaluate(t.p);
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
-         after.worst >= (std::min)(before.worst, 0.3)) {
+         after.worst >= (std::min)(before.worst, s_.smoothing.min_corner)) {
         r = t;
         return true;
       }

@@ -17,7 +17,12 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // What a node may move on.
-enum class Carrier : std::uint8_t { surface, curve, corner };
+enum class Carrier : std::uint8_t
+{
+  surface,
+  curve,
+  corner
+};
 
 struct Vertex_record
 {

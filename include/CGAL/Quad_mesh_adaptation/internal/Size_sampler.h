@@ -34,8 +34,7 @@ class Size_sampler
 {
 public:
   Size_sampler() = default;
-  Size_sampler(Size_function f, double constant)
-      : function_(std::move(f)), constant_(constant) {}
+  Size_sampler(Size_function f, double constant) : function_(std::move(f)), constant_(constant) {}
 
   Size_sampling sampling = Size_sampling::strict;
 

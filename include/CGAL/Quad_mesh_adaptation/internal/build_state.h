@@ -26,7 +26,9 @@ class State_builder
 {
 public:
   State_builder(const Input_mesh& in, const Feature_options& o, Adaptation_state& s)
-      : in_(in), s_(s), cos_(std::cos(o.feature_angle * pi / 180)), off_(o.feature_angle >= 180) {}
+      : in_(in), s_(s), cos_(std::cos(o.feature_angle * pi / 180)), off_(o.feature_angle >= 180)
+  {
+  }
 
   void operator()(const Triangle_soup* reference)
   {
@@ -59,7 +61,8 @@ private:
     if(!m.link(&bad))
       throw Refused{ Refusal::non_manifold,
                      "the edge from vertex " + std::to_string(m.origin(bad)) + " to vertex " +
-                       std::to_string(m.target(bad)) + " belongs to more faces than two, or to two of opposite orientation",
+                         std::to_string(m.target(bad)) +
+                         " belongs to more faces than two, or to two of opposite orientation",
                      m.origin(bad) };
     check_umbrellas();
   }
@@ -73,7 +76,9 @@ private:
       m.outgoing(v, out);
       if(int(out.size()) != m.vertex(v).faces)
         throw Refused{ Refusal::non_manifold,
-                       "vertex " + std::to_string(v) + " joins parts of the mesh that share no edge there", v };
+                       "vertex " + std::to_string(v) +
+                           " joins parts of the mesh that share no edge there",
+                       v };
     }
   }
 
@@ -107,9 +112,10 @@ private:
       const auto& e = ends[v];
       if(e.empty() && !r.frozen) continue;
       r.carrier = e.size() == 2 && !r.frozen && !turns(v, e[0], e[1]) &&
-                       is_frozen(e[0]) == is_frozen(e[1]) && is_constrained(e[0]) == is_constrained(e[1])
-                    ? Carrier::curve
-                    : Carrier::corner;
+                          is_frozen(e[0]) == is_frozen(e[1]) &&
+                          is_constrained(e[0]) == is_constrained(e[1])
+                      ? Carrier::curve
+                      : Carrier::corner;
     }
   }
 
@@ -155,8 +161,10 @@ private:
         if(round == 0) {
           const bool a = m.vertex(m.origin(h)).carrier == Carrier::corner;
           const bool b = m.vertex(m.target(h)).carrier == Carrier::corner;
-          if(a) trace(h, m.origin(h), number);
-          else if(b) trace(h, m.target(h), number);
+          if(a)
+            trace(h, m.origin(h), number);
+          else if(b)
+            trace(h, m.target(h), number);
         } else {
           trace(h, m.origin(h), number);
         }
@@ -222,7 +230,8 @@ private:
       if(c.is_border() && !c.is_frozen()) c = curve_on_reference(c, loops);
     for(Index v = 0; v < s_.mesh.vertex_end(); ++v) {
       Vertex_record& r = s_.mesh.vertex(v);
-      if(s_.mesh.is_vertex(v) && r.carrier == Carrier::curve) r.param = s_.curves[r.curve].nearest(r.p);
+      if(s_.mesh.is_vertex(v) && r.carrier == Carrier::curve)
+        r.param = s_.curves[r.curve].nearest(r.p);
     }
     for(const Feature_curve& c : s_.curves) {
       if(c.is_closed() || !c.is_border() || c.is_frozen()) continue;

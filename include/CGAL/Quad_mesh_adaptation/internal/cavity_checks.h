@@ -24,7 +24,7 @@ inline void Cavity::count_corners()
     for(int v : q.v) ++new_corners_[v];
   for(std::size_t i = 0; i < n; ++i)
     total_corners_[i] =
-      (ids[i] >= 0 ? s_.mesh.vertex(ids[i]).faces - old_corners_[i] : 0) + new_corners_[i];
+        (ids[i] >= 0 ? s_.mesh.vertex(ids[i]).faces - old_corners_[i] : 0) + new_corners_[i];
 }
 
 inline bool Cavity::match_inside()
@@ -196,10 +196,51 @@ inline bool Cavity::has_parallel_edge() const
   return false;
 }
 
+// A new doublet (an inner node with two faces) is removed at once: its two quads
+// (n, a, o1, b) and (n, b, o2, a) become (a, o1, b, o2).
+inline bool Cavity::fuse_at(int n)
+{
+  int found[2] = { -1, -1 }, corner[2] = { 0, 0 }, count = 0;
+  for(int k = 0; k < int(quads.size()) && count < 2; ++k)
+    for(int i = 0; i < 4; ++i)
+      if(quads[k].v[i] == n) {
+        found[count] = k;
+        corner[count++] = i;
+        break;
+      }
+  if(count < 2) return false;
+  const Cavity_quad p = quads[found[0]], q = quads[found[1]];
+  const auto at = [](const Cavity_quad& f, int c, int i) { return f.v[(c + i) & 3]; };
+  const auto curve = [](const Cavity_quad& f, int c, int i) { return f.curve[(c + i) & 3]; };
+  const int c = corner[0], d = corner[1];
+  if(at(p, c, 1) != at(q, d, 3) || at(p, c, 3) != at(q, d, 1)) return false;
+  Cavity_quad fused;
+  fused.v = { { at(p, c, 1), at(p, c, 2), at(p, c, 3), at(q, d, 2) } };
+  fused.curve = { { curve(p, c, 1), curve(p, c, 2), curve(q, d, 1), curve(q, d, 2) } };
+  fused.parent = p.parent;
+  quads[found[0]] = fused;
+  quads.erase(quads.begin() + found[1]);
+  return true;
+}
+
+inline bool Cavity::remove_doublets()
+{
+  count_corners();
+  for(std::size_t n = 0; n < nodes.size(); ++n) {
+    const bool inner = ids[n] < 0 || !s_.mesh.is_border_vertex(ids[n]);
+    if(total_corners_[n] != 2 || new_corners_[n] != 2 || !inner || nodes[n].frozen ||
+       nodes[n].carrier != Carrier::surface)
+      continue;
+    if(!fuse_at(int(n))) return false;
+    count_corners();
+    n = std::size_t(-1); // its neighbours may be doublets now
+  }
+  return true;
+}
+
 inline bool Cavity::close()
 {
-  if(!match_inside()) return false;
-  count_corners();
+  if(!remove_doublets() || !match_inside()) return false;
   for(std::size_t n = 0; n < nodes.size(); ++n) {
     const bool border = ids[n] >= 0 && s_.mesh.is_border_vertex(ids[n]);
     const bool gone = new_corners_[n] == 0;
@@ -207,8 +248,7 @@ inline bool Cavity::close()
        (nodes[n].frozen || nodes[n].carrier == Carrier::corner || total_corners_[n] != 0))
       return false;
     const bool on_curve = nodes[n].carrier != Carrier::surface;
-    if(!gone && !border && !on_curve && total_corners_[n] < limit_of(n))
-      return false;
+    if(!gone && !border && !on_curve && total_corners_[n] < limit_of(n)) return false;
   }
   if(!match_outside() || !umbrellas_whole() || !curves_kept() || has_parallel_edge()) return false;
   measure_before();

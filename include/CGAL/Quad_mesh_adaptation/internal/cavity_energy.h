@@ -25,7 +25,8 @@ inline double Cavity::energy_after()
   double e = 0;
   for(std::size_t n = 0; n < nodes.size(); ++n)
     if(new_corners_[n] > 0) e += s_.valence_energy(total_corners_[n], nodes[n]);
-  for(const Cavity_quad& q : quads) e += s_.face_energy(corners_of(q), reference_of(q), floor_of(q));
+  for(const Cavity_quad& q : quads)
+    e += s_.face_energy(corners_of(q), reference_of(q), floor_of(q));
   return e;
 }
 
@@ -108,8 +109,9 @@ inline void Cavity::gather(int n, int first, int last)
     f.q3 = c.p;
     f.reference = reference_of(q);
     f.floor = floor_of(q);
-    f.grad_h = s_.size.is_constant() ? Vec(0, 0, 0)
-                                     : size_gradient({ x.p, a.p, b.p, c.p }, { x.h, a.h, b.h, c.h });
+    f.grad_h = s_.size.is_constant()
+                   ? Vec(0, 0, 0)
+                   : size_gradient({ x.p, a.p, b.p, c.p }, { x.h, a.h, b.h, c.h });
     star.push_back(f);
   }
 }

@@ -12,7 +12,12 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-enum class Triangle_feature { inside, edge, corner };
+enum class Triangle_feature
+{
+  inside,
+  edge,
+  corner
+};
 
 struct Closest_on_triangle
 {

@@ -85,11 +85,11 @@ inline double shape_cost(const Corners& p, const Vec& n)
 //   E = sum over faces (1 + shape * cost + oversize(r)) + valence * sum over nodes (n - ideal)^2
 struct Energy_weights
 {
-  double face = 1;       // what a face costs
-  double shape = 0.5;    // times the mean corner cost
-  double oversize = 4;   // faces larger than wanted
-  double valence = 1;    // irregular nodes
-  double tolerated = 1;  // size ratio above which a face is too large
+  double face = 1;        // what a face costs
+  double shape = 0.5;     // times the mean corner cost
+  double oversize = 4;    // faces larger than wanted
+  double valence = 1;     // irregular nodes
+  double tolerated = 1;   // size ratio above which a face is too large
   double min_gain = 1e-3; // every accepted operation lowers E by at least this
 
   // Grows faster than r^2, else splitting one face into four would not pay.

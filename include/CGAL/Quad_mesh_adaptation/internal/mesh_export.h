@@ -36,7 +36,8 @@ public:
   Mesh_export(QuadMesh& mesh, VertexPointMap vpm, EdgeConstrainedMap ecm, const Input_mesh& in,
               const Mesh_descriptors<QuadMesh>& old, const Adaptation_state& s)
       : mesh_(mesh), vpm_(vpm), ecm_(ecm), in_(in), old_(old), s_(s), m_(s.mesh)
-  {}
+  {
+  }
 
   void operator()()
   {
@@ -159,8 +160,7 @@ private:
     keep_.assign(old_edges_.size(), 0);
     std::vector<Edge_key> used;
     for(Index h = 0; h < 4 * m_.face_end(); ++h)
-      if(m_.is_face(m_.face(h)))
-        used.emplace_back(m_.origin(h), m_.target(h));
+      if(m_.is_face(m_.face(h))) used.emplace_back(m_.origin(h), m_.target(h));
     std::sort(used.begin(), used.end());
     for(std::size_t i = 0; i < old_edges_.size(); ++i) {
       const Edge_key k = old_edges_[i].first;

@@ -50,7 +50,8 @@ public:
   Mesh_import(const QuadMesh& mesh, VertexPointMap vpm, EdgeConstrainedMap ecm,
               VertexConstrainedMap vcm)
       : mesh_(mesh), vpm_(vpm), ecm_(ecm), vcm_(vcm)
-  {}
+  {
+  }
 
   template <typename FaceRange>
   void operator()(const FaceRange& chosen, bool is_region, Input_mesh& in,
@@ -150,8 +151,9 @@ private:
   EdgeConstrainedMap ecm_;
   VertexConstrainedMap vcm_;
   typename boost::property_map<QuadMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type
-    number_of_;
-  typename boost::property_map<QuadMesh, CGAL::dynamic_face_property_t<bool>>::const_type in_region_;
+      number_of_;
+  typename boost::property_map<QuadMesh, CGAL::dynamic_face_property_t<bool>>::const_type
+      in_region_;
 };
 
 // Triangles of a reference surface: polygons are cut, quads along the flatter diagonal.
@@ -167,7 +169,7 @@ Triangle_soup import_reference(const Surface& surface)
     if(!is_finite(soup.points.back()))
       throw Refused{ Refusal::non_finite_coordinate,
                      "the reference surface has a coordinate that is not finite, at its vertex " +
-                       std::to_string(soup.points.size() - 1),
+                         std::to_string(soup.points.size() - 1),
                      long(soup.points.size()) - 1 };
   }
   std::vector<Index> corners;

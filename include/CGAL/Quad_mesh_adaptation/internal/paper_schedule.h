@@ -65,13 +65,13 @@ inline void paper_schedule(Adaptation_state& s, std::size_t max_iterations)
   s.energy.oversize = 0; // its clean-up improves quality only
   s.energy.face = 0;
 
-  coarsen_boundary(s);                                                        // step 2
+  coarsen_boundary(s); // step 2
   bool coarsening = true;
   for(std::size_t n = 0; n < (std::min)(max_iterations, std::size_t(25)); ++n) { // step 6
     ++s.iterations;
     s.progress = (std::min)(0.95, 0.15 * double(n));
     const double t_c = 1.0 - 0.2 * double(n), t_r = (std::max)(1.0, 1.25 - 0.05 * double(n));
-    if(coarsening && t_c > 0 && fraction_below(s, t_c) >= 0.10)               // step 3
+    if(coarsening && t_c > 0 && fraction_below(s, t_c) >= 0.10) // step 3
       coarsen_by_rings(s, t_c, clean);
     else
       coarsening = false;
@@ -82,10 +82,10 @@ inline void paper_schedule(Adaptation_state& s, std::size_t max_iterations)
       continue;
     }
     {
-      Phase_scope phase(s, "refinement");                                     // step 4
+      Phase_scope phase(s, "refinement"); // step 4
       if(refine_faces(s, classes.high.empty() ? classes.low : classes.high) == 0) break;
     }
-    clean_up(s, clean, 6, 5);                                                 // step 5
+    clean_up(s, clean, 6, 5); // step 5
   }
 }
 

@@ -32,6 +32,22 @@ inline void refine_progressively(Adaptation_state& s, const Marking_options& mar
   clear_floors(s);
 }
 
+// The same without clean-up: templates and smoothing only.  An edge that no pass can split, because
+// parity and constraints forbid it, does not keep the loop going.
+inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& marking,
+                                    std::size_t max_passes)
+{
+  for(std::size_t pass = 0; pass < max_passes; ++pass) {
+    Phase_scope phase(s, "refinement");
+    if(refine_once(s, marking) == 0) break;
+    ++s.iterations;
+    set_floors(s);
+    smooth(s, 3);
+  }
+  clear_floors(s);
+  smooth(s, 5);
+}
+
 // Rounds of clean-up against the final sizes, with smoothing that presses the last faces below
 // their size from the third round on.
 inline void polish(Adaptation_state& s, const Improvement_options& clean, int rounds)

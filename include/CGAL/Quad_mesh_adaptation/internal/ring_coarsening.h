@@ -23,7 +23,8 @@ public:
   // region: per face.  longest: faces in the row that a ring goes about.
   Ring_coarsening(Adaptation_state& s, const std::vector<char>& region, std::size_t longest)
       : s_(s), region_(region), longest_(longest), cavity_(s)
-  {}
+  {
+  }
 
   // One batch of rings that do not touch each other; returns the number of faces removed.
   std::size_t batch()

@@ -41,10 +41,7 @@ Size_sampler make_sampler(const SizingField& sizing)
     return Size_sampler([h](const Vec&) { return h; }, h);
   } else {
     return Size_sampler(
-      [&sizing](const Vec& p) {
-        return CGAL::to_double(sizing(Point(p.x(), p.y(), p.z())));
-      },
-      0);
+        [&sizing](const Vec& p) { return CGAL::to_double(sizing(Point(p.x(), p.y(), p.z()))); }, 0);
   }
 }
 
@@ -67,19 +64,19 @@ struct Decoded_parameters
 
   static Vpm vertex_point_map(QuadMesh& mesh, const NamedParameters& np)
   {
-    return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::vertex_point),
-      get_property_map(CGAL::vertex_point, mesh));
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                        get_property_map(CGAL::vertex_point, mesh));
   }
   static auto edge_map(const NamedParameters& np)
   {
     return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::edge_is_constrained), No_constraints<Edge>());
+        parameters::get_parameter(np, internal_np::edge_is_constrained), No_constraints<Edge>());
   }
   static auto vertex_map(const NamedParameters& np)
   {
     return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::vertex_is_constrained), No_constraints<Vertex>());
+        parameters::get_parameter(np, internal_np::vertex_is_constrained),
+        No_constraints<Vertex>());
   }
 };
 
@@ -93,19 +90,25 @@ std::optional<Triangle_soup> decode_reference(const NamedParameters& np)
 }
 
 template <typename T>
-T& unwrap(T& t) { return t; }
+T& unwrap(T& t)
+{
+  return t;
+}
 template <typename T>
-T& unwrap(std::reference_wrapper<T>& t) { return t.get(); }
+T& unwrap(std::reference_wrapper<T>& t)
+{
+  return t.get();
+}
 
 // Connects visitor and callback of the caller to the state.
 template <typename NamedParameters>
 void observe(const NamedParameters& np, Adaptation_state& s, Phase_clock& clock)
 {
-  auto given = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::visitor), Adaptation_visitor());
+  auto given = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                            Adaptation_visitor());
   auto visitor = std::make_shared<decltype(given)>(given);
   const std::function<bool(double)> callback = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
+      parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
   s.report_progress = [visitor, callback](double progress) {
     if(!unwrap(*visitor).go_further() || (callback && !callback(progress))) throw Cancelled();
   };
@@ -170,6 +173,13 @@ inline void judge_sizes(Adaptation_report& r, bool paper)
               " times its size";
 }
 
+template <typename NamedParameters>
+bool is_paper_schedule(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, schedule_tag),
+                                      Schedule::progressive) == Schedule::paper;
+}
+
 // What every public function does around its algorithm: import and check, build the state, run
 // `algorithm(state)`, measure, and only then write back.
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
@@ -195,7 +205,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     const std::optional<Triangle_soup> reference = decode_reference(np);
     Feature_options features;
     features.feature_angle = parameters::choose_parameter(
-      parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
+        parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
     if(!(features.feature_angle > 0))
       throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
     observe(np, s, clock);

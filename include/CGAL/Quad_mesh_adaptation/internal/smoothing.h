@@ -29,8 +29,8 @@ inline void gather_star(const Adaptation_state& s, Index v, std::vector<Star_fac
     f.reference = x.normal + ra.normal + rb.normal + rc.normal;
     f.floor = 0.25 * (x.floor + ra.floor + rb.floor + rc.floor);
     f.grad_h = s.size.is_constant()
-                 ? Vec(0, 0, 0)
-                 : size_gradient({ x.p, ra.p, rb.p, rc.p }, { x.h, ra.h, rb.h, rc.h });
+                   ? Vec(0, 0, 0)
+                   : size_gradient({ x.p, ra.p, rb.p, rc.p }, { x.h, ra.h, rb.h, rc.h });
     star.push_back(f);
     h = m.turn_left(h);
   } while(h >= 0 && h != start);

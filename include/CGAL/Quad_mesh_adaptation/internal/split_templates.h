@@ -130,8 +130,8 @@ private:
   {
     Quad_complex& m = s_.mesh;
     const Index x = m.add_vertex(
-      inner_node(s_, m.vertex(mid_[0]), m.vertex(mid_[2]),
-                 0.5)); // of the joined middles, so that both directions follow the size
+        inner_node(s_, m.vertex(mid_[0]), m.vertex(mid_[2]),
+                   0.5)); // of the joined middles, so that both directions follow the size
     for(int i = 0; i < 4; ++i) {
       const int p = (i + 3) & 3;
       add({ corner_[i], mid_[i], x, mid_[p] }, { curve_[i], -1, -1, curve_[p] });

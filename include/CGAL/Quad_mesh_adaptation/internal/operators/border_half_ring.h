@@ -16,13 +16,14 @@ namespace internal {
 struct Border_pair
 {
   Index v, a, c, m, p, q;
-  Index left, right;  // half-edges a -> v and v -> c
+  Index left, right; // half-edges a -> v and v -> c
 };
 
 inline bool find_border_pair(const Quad_complex& mesh, Index v, Border_pair& b)
 {
   const Vertex_record& r = mesh.vertex(v);
-  if(r.faces != 2 || r.carrier != Carrier::curve || r.frozen || !mesh.is_border_vertex(v)) return false;
+  if(r.faces != 2 || r.carrier != Carrier::curve || r.frozen || !mesh.is_border_vertex(v))
+    return false;
   b.v = v;
   b.right = r.halfedge;
   b.left = mesh.prev(mesh.turn_left(b.right));
@@ -46,8 +47,7 @@ inline bool is_half_ring_collapse_allowed(const Adaptation_state& s, const Borde
   if(carrier_rank(a) > 1 && carrier_rank(c) > 1) return false; // the curve would vanish
   if(mesh.curve(mesh.prev(b.right)) >= 0) return false;
   // a closed curve keeps at least four edges
-  return !curve.is_closed() ||
-         std::abs(curve.difference(a.param, c.param)) < 0.4 * curve.length();
+  return !curve.is_closed() || std::abs(curve.difference(a.param, c.param)) < 0.4 * curve.length();
 }
 
 inline void describe_half_ring_collapse(Adaptation_state& s, const Border_pair& b, Cavity& cavity)
@@ -79,7 +79,8 @@ inline void describe_border_split(Adaptation_state& s, const Border_pair& b, Cav
   cavity.add_old_face(m.face(b.right));
   const auto node = [&](Index v) { return cavity.node(v); };
   const Index hl = b.left, hr = b.right, curve = m.curve(hl);
-  const int n1 = cavity.add_new_node(edge_middle(s, hl)), n2 = cavity.add_new_node(edge_middle(s, hr));
+  const int n1 = cavity.add_new_node(edge_middle(s, hl)),
+            n2 = cavity.add_new_node(edge_middle(s, hr));
   const int w = cavity.add_new_node(edge_middle(s, m.next(hl)));
   const int c1 = cavity.add_new_node(inner_node(s, m.vertex(b.v), m.vertex(b.p), 0.45));
   const int c2 = cavity.add_new_node(inner_node(s, m.vertex(b.v), m.vertex(b.q), 0.45));

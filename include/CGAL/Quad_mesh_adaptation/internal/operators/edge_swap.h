@@ -17,8 +17,7 @@ inline bool is_edge_swap_allowed(const Adaptation_state& s, Index h)
   return s.mesh.opposite(h) >= 0 && s.mesh.curve(h) < 0;
 }
 
-inline void describe_edge_swap(Adaptation_state& s, Index h, bool counter_clockwise,
-                               Cavity& cavity)
+inline void describe_edge_swap(Adaptation_state& s, Index h, bool counter_clockwise, Cavity& cavity)
 {
   const Quad_complex& m = s.mesh;
   const Index o = m.opposite(h);

@@ -20,7 +20,7 @@ namespace internal {
 struct Ring
 {
   std::vector<Index> block, faces;
-  std::vector<Index> rungs; // half-edges that start at a node of the block
+  std::vector<Index> rungs;        // half-edges that start at a node of the block
   std::vector<Index> border_rungs; // the same where only the opposite direction has a face
 };
 
@@ -112,7 +112,7 @@ std::vector<Index> row_of_faces(const Quad_complex& m, Index h, std::size_t long
                                 const Inside& inside)
 {
   std::vector<Index> row;
-  for(Index g = h; row.size() < longest; ) {
+  for(Index g = h; row.size() < longest;) {
     const Index f = m.face(g);
     if(!inside(f) || std::find(row.begin(), row.end(), f) != row.end()) break;
     row.push_back(f);

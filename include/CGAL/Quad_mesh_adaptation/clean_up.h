@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_CLEAN_UP_H
+#define CGAL_QUAD_MESH_ADAPTATION_CLEAN_UP_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+/*!
+improves the topology by local operations (face close, face open, edge swap, vertex rotation, their
+border variants), each of which lowers one energy of count, size, shape and valence; valences above
+five are removed where that is possible.  `number_of_iterations(n)` limits the passes over the
+mesh; default 10.
+
+All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
+mesh is valid after the call, and unchanged where it is refused or cancelled.
+*/
+template <typename SizingField, typename QuadMesh,
+          typename NamedParameters = parameters::Default_named_parameters>
+Adaptation_report clean_up(const SizingField& sizing, QuadMesh& mesh,
+                           const NamedParameters& np = parameters::default_values())
+{
+  const int passes = int(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(10)));
+  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, false,
+                               [&](internal::Adaptation_state& s, Adaptation_report&) {
+                                 internal::clean_up(s, internal::Improvement_options(), passes, 3);
+                               });
+}
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_CLEAN_UP_H

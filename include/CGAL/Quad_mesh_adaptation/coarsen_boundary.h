@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_COARSEN_BOUNDARY_H
+#define CGAL_QUAD_MESH_ADAPTATION_COARSEN_BOUNDARY_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/boundary_coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+/*!
+removes dual chords that end in boundary edges too short for their size, then smooths each coarsened
+curve: step 2 of section 3.3 of Anderson, Benzley and Owen (2009).  Corners and the curves'
+support are kept; a chord that crosses or touches itself, or whose removal would change the
+topology, stays.  Complexity: a scan of the boundary and the chords removed.
+
+All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
+mesh is valid after the call, and unchanged where it is refused or cancelled.
+*/
+template <typename SizingField, typename QuadMesh,
+          typename NamedParameters = parameters::Default_named_parameters>
+Adaptation_report coarsen_boundary(const SizingField& sizing, QuadMesh& mesh,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  return internal::run_on_mesh(
+      faces(mesh), false, sizing, mesh, np, true,
+      [&](internal::Adaptation_state& s, Adaptation_report&) { internal::coarsen_boundary(s); });
+}
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_COARSEN_BOUNDARY_H

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_REFINE_H
+#define CGAL_QUAD_MESH_ADAPTATION_REFINE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+/*!
+halves edges that are too long, with templates that keep the mesh conforming, and smooths with
+respect to the size after every pass; no clean-up, no coarsening.  `number_of_iterations(n)` limits
+the passes; by default it goes on until no edge asks for a split.  Parity is solved for the whole
+mesh as a minimum-weight T-join; edges that must not be split are respected, and where they leave no
+solution the report says so.
+
+All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
+mesh is valid after the call, and unchanged where it is refused or cancelled.
+*/
+template <typename SizingField, typename QuadMesh,
+          typename NamedParameters = parameters::Default_named_parameters>
+Adaptation_report refine(const SizingField& sizing, QuadMesh& mesh,
+                         const NamedParameters& np = parameters::default_values())
+{
+  const std::size_t passes = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
+  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, false,
+                               [&](internal::Adaptation_state& s, Adaptation_report&) {
+                                 internal::refine_without_clean_up(s, internal::Marking_options(),
+                                                                   passes);
+                               });
+}
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_REFINE_H
