@@ -143,6 +143,13 @@ inline void add_chords(const Adaptation_state& s, std::vector<Place>& list)
   }
 }
 
+inline long rungs_on_border(const Quad_complex& m, const core::Ring& ring)
+{
+  long n = long(ring.border_rungs.size());
+  for(Index h : ring.rungs) n += m.is_border(h);
+  return n;
+}
+
 // Rings about every face and about rows of two and four faces.
 inline void add_rings(const Adaptation_state& s, std::vector<Place>& list)
 {
@@ -162,7 +169,7 @@ inline void add_rings(const Adaptation_state& s, std::vector<Place>& list)
           { "collapse of the ring about " + std::to_string(n) + " faces at half-edge " +
                 std::to_string(h),
             [ring](Adaptation_state& t, Cavity& c) { core::describe_ring_collapse(t, ring, c); },
-            -k, -merges, ring.border_rungs.empty() ? 0 : -2, {} });
+            -k, -merges, -rungs_on_border(m, ring), {} });
     }
   }
 }
