@@ -47,7 +47,7 @@ public:
     const Evaluation before = evaluate(r.p);
     Local_model m;
     for(const Star_face& f : star_) add_derivatives(r.p, f, dofs, m);
-    double step[2];
+    double step[2] = { 0, 0 };
     if(!newton_step(m, dofs, step)) return false;
     return line_search(r, dofs, step, before);
   }
@@ -58,6 +58,7 @@ private:
   struct Evaluation
   {
     double value = 0, worst = 1; // worst corner t = 2 D / N
+    double largest = 0;          // size ratio
   };
 
   // Basis of the directions r may move in; returns their number.
@@ -88,7 +89,9 @@ private:
         e.value += 0.25 * Corner_cost::value(N, D);
         e.worst = (std::min)(e.worst, N > 0 ? 2 * D / N : -1.);
       }
-      e.value += size_cost(mean_edge_length(p) / s_.target(p, f.floor));
+      const double r = mean_edge_length(p) / s_.target(p, f.floor);
+      e.value += size_cost(r);
+      e.largest = (std::max)(e.largest, r);
     }
     return e;
   }
@@ -237,7 +240,8 @@ private:
       s_.place(t);
       const Evaluation after = evaluate(t.p);
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
-         after.worst >= (std::min)(before.worst, s_.smoothing.min_corner)) {
+         after.worst >= (std::min)(before.worst, s_.smoothing.min_corner) &&
+         (!s_.smoothing.keep_within_size || after.largest <= (std::max)(before.largest, 1.))) {
         r = t;
         return true;
       }
