@@ -35,9 +35,9 @@ struct Smoothing_weights
   int power = 10;
   double hinge = 0; // switched on for the last sweeps
   double hinge_at = 0.985;
-  bool two_sided = false; // also push faces that are too small
+  bool two_sided = false;        // also push faces that are too small
   bool keep_within_size = false; // no move leaves a face above its size that was not
-  double min_corner = 0.45; // no corner measure 2 D / N falls below min(this, worst before)
+  double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)
 };
 
 // Everything the phases work on: a compact copy of the caller's mesh, so that the call is

@@ -107,7 +107,7 @@ inline void Cavity::gather(int n, int first, int last)
     f.q1 = a.p;
     f.q2 = b.p;
     f.q3 = c.p;
-    f.reference = reference_of(q);
+    f.reference = reference_of(q) - x.normal;
     f.floor = floor_of(q);
     f.grad_h = s_.size.is_constant()
                    ? Vec(0, 0, 0)
