@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_BORDER_HALF_RING_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_BORDER_HALF_RING_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/closed_curves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/merge_nodes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 
@@ -46,8 +47,9 @@ inline bool is_half_ring_collapse_allowed(const Adaptation_state& s, const Borde
   if(mesh.curve(b.left) != mesh.curve(b.right) || b.a == b.c) return false;
   if(carrier_rank(a) > 1 && carrier_rank(c) > 1) return false; // the curve would vanish
   if(mesh.curve(mesh.prev(b.right)) >= 0) return false;
-  // a closed curve keeps at least four edges
-  return !curve.is_closed() || std::abs(curve.difference(a.param, c.param)) < 0.4 * curve.length();
+  Closed_curve_check closed_curves(s);
+  closed_curves.add(mesh.curve(b.left), { b.a, b.v, b.c });
+  return closed_curves();
 }
 
 inline void describe_half_ring_collapse(Adaptation_state& s, const Border_pair& b, Cavity& cavity)

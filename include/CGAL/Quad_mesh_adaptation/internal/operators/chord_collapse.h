@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHORD_COLLAPSE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Chord.h>
+#include <CGAL/Quad_mesh_adaptation/internal/closed_curves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/merge_nodes.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // May the two ends of the edge of h become one?  Corners and frozen nodes never meet; nodes of
-// curves only along the curve they share.
+// curves only along the curve they share; see also Closed_curve_check.
 inline bool is_rung_collapsible(const Adaptation_state& s, Index h)
 {
   const Quad_complex& m = s.mesh;
@@ -24,10 +25,7 @@ inline bool is_rung_collapsible(const Adaptation_state& s, Index h)
   if(ra >= 2 && rb >= 2) return false;
   if(ra >= 1 && rb >= 1) {
     const Index c = m.curve(h);
-    if(c < 0 || s.curves[c].is_frozen()) return false;
-    if(!s.curves[c].is_closed()) return true;
-    // a closed curve keeps four edges: no two neighbouring edges may span too much of it
-    return distance(a.p, b.p) < 0.2 * s.curves[c].length();
+    return c >= 0 && !s.curves[c].is_frozen();
   }
   return true;
 }
@@ -38,8 +36,10 @@ inline bool is_chord_collapse_allowed(const Adaptation_state& s, const Chord& c)
 {
   const Quad_complex& m = s.mesh;
   std::vector<Index> ends, faces = c.faces;
+  Closed_curve_check closed_curves(s);
   for(Index h : c.rungs) {
     if(!is_rung_collapsible(s, h)) return false;
+    closed_curves.add(m.curve(h), { m.origin(h), m.target(h) });
     ends.push_back(m.origin(h));
     ends.push_back(m.target(h));
   }
@@ -48,7 +48,7 @@ inline bool is_chord_collapse_allowed(const Adaptation_state& s, const Chord& c)
   std::sort(ends.begin(), ends.end());
   return std::adjacent_find(faces.begin(), faces.end()) == faces.end() &&
          std::adjacent_find(ends.begin(), ends.end()) == ends.end() &&
-         Index(c.faces.size()) < m.number_of_faces();
+         Index(c.faces.size()) < m.number_of_faces() && closed_curves();
 }
 
 inline void describe_chord_collapse(Adaptation_state& s, const Chord& c, Cavity& cavity)

@@ -59,17 +59,20 @@ inline std::vector<Node_merge> ring_merges(const Adaptation_state& s, const Ring
   const Quad_complex& m = s.mesh;
   std::vector<Node_merge> merges;
   std::vector<Index> outer;
+  Closed_curve_check closed_curves(s);
   const auto add = [&](Index h, Index inside, Index outside) {
     if(!is_rung_collapsible(s, h)) return false;
     const bool keep_outer = carrier_rank(m.vertex(outside)) > carrier_rank(m.vertex(inside));
     merges.push_back({ keep_outer ? inside : outside, keep_outer ? outside : inside });
     outer.push_back(outside);
+    closed_curves.add(m.curve(h), { inside, outside });
     return true;
   };
   for(Index h : ring.rungs)
     if(!add(h, m.origin(h), m.target(h))) return {};
   for(Index h : ring.border_rungs)
     if(!add(h, m.target(h), m.origin(h))) return {};
+  if(!closed_curves()) return {};
   std::sort(outer.begin(), outer.end());
   if(std::adjacent_find(outer.begin(), outer.end()) != outer.end()) return {};
   // a block node may lose to one outer node only, and then takes in no other
