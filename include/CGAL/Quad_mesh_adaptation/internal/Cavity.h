@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CAVITY_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Node_relaxation.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <algorithm>
 #include <array>
@@ -137,7 +138,7 @@ public:
 
   double energy_before() const { return energy_before_; }
   double energy_after();
-  // Smallest scaled Jacobian, negative where folded over, and largest size ratio.
+  // Smallest scaled Jacobian, negative where folded over or a curve is, and largest size ratio.
   double worst_before() const;
   double worst_after() const;
   double largest_before() const;
@@ -163,6 +164,7 @@ private:
   bool curves_kept() const;
   bool umbrellas_whole();
   bool same_pairs(int n) const;
+  bool curves_in_order() const;
   bool has_parallel_edge() const;
   void count_corners();
   int limit_of(std::size_t n) const;

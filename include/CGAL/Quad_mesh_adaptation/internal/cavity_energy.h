@@ -40,10 +40,33 @@ inline double Cavity::worst_before() const
 
 inline double Cavity::worst_after() const
 {
+  if(!curves_in_order()) return -1;
   double worst = 1;
   for(const Cavity_quad& q : quads)
     worst = (std::min)(worst, worst_corner(corners_of(q), reference_of(q)));
   return worst;
+}
+
+// Every inner node of a curve lies between its neighbours there.
+inline bool Cavity::curves_in_order() const
+{
+  std::vector<std::pair<int, int>> next; // node of a curve, neighbour
+  for(int h = 0; h < int(partner_.size()); ++h) {
+    if(quads[h >> 2].curve[h & 3] < 0 || (partner_[h] >= 0 && partner_[h] < h)) continue;
+    for(int end = 0; end < 2; ++end) {
+      const int n = end == 0 ? origin(h) : target(h);
+      if(is_inner(n) && nodes[n].carrier == Carrier::curve)
+        next.emplace_back(n, end == 0 ? target(h) : origin(h));
+    }
+  }
+  std::sort(next.begin(), next.end());
+  for(std::size_t i = 1; i < next.size(); ++i) {
+    if(next[i].first != next[i - 1].first) continue;
+    const int n = next[i].first, a = next[i - 1].second, b = next[i].second;
+    if(!is_between(s_.curves[nodes[n].curve], nodes[n], ids[a], nodes[a], ids[b], nodes[b]))
+      return false;
+  }
+  return true;
 }
 
 inline double Cavity::largest_before() const

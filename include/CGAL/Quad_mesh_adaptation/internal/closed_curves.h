@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CLOSED_CURVES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CLOSED_CURVES_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <algorithm>
 #include <array>
@@ -15,22 +15,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// The neighbours of its node v on closed curve c.
-inline std::array<Index, 2> curve_neighbours(const Quad_complex& m, Index v, Index c)
-{
-  std::array<Index, 2> found = { -1, -1 };
-  int n = 0;
-  const Index start = m.vertex(v).halfedge;
-  Index h = start, last = h;
-  do {
-    if(m.curve(h) == c && n < 2) found[n++] = m.target(h);
-    last = h;
-    h = m.turn_left(h);
-  } while(h >= 0 && h != start);
-  if(h < 0 && n < 2 && m.curve(m.prev(last)) == c) found[n] = m.origin(m.prev(last));
-  return found;
-}
 
 // Stretches of closed curves that an operation is about to shrink to one node each.
 class Closed_curve_check

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SMOOTHING_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Node_relaxation.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <vector>
 
@@ -53,8 +54,13 @@ inline std::size_t smooth(Adaptation_state& s, int sweeps, std::vector<char>* ac
       Vertex_record& r = s.mesh.vertex(v);
       if(r.frozen || r.carrier == Carrier::corner) continue;
       gather_star(s, v, relax.star());
+      const Vertex_record old = r;
       const Vec before = r.p;
       if(!relax(r)) continue;
+      if(!is_between_neighbours(s, v)) {
+        r = old;
+        continue;
+      }
       ++moved;
       Index g = r.halfedge;
       do {
