@@ -120,13 +120,18 @@ struct Adaptation_state
     return mean_edge_length(p) / size.at_face(p);
   }
 
+  // Does the face turn away from the direction it should show?
+  static bool is_folded(const Corners& p, const Vec& reference)
+  {
+    const Vec n = area_vector(p);
+    const double lr = norm(reference);
+    return lr > 1e-9 && !(n * reference > 0.1 * norm(n) * lr);
+  }
+
   // The face's own unit normal, or the reference's where the face is folded over.
   static Vec facing(const Corners& p, const Vec& reference)
   {
-    const Vec n = area_vector(p);
-    const double l = norm(n), lr = norm(reference);
-    if(lr > 1e-9 && !(n * reference > 0.1 * l * lr)) return reference / lr;
-    return l > 0 ? n / l : Vec(0, 0, 0);
+    return is_folded(p, reference) ? normalized(reference) : normalized(area_vector(p));
   }
 
   double valence_energy(int faces, const Vertex_record& r) const

@@ -82,6 +82,7 @@ private:
     Evaluation e;
     for(const Star_face& f : star_) {
       const Corners p = { x, f.q1, f.q2, f.q3 };
+      if(Adaptation_state::is_folded(p, f.reference + normal)) e.worst = -1;
       const Vec n = Adaptation_state::facing(p, f.reference + normal);
       for(int i = 0; i < 4; ++i) {
         const Vec a = p[(i + 1) & 3] - p[i], b = p[(i + 3) & 3] - p[i];
