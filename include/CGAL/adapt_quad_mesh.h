@@ -10,10 +10,27 @@
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
+#include <cstddef>
+#include <type_traits>
+
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 
 namespace internal {
+
+// Tells a chain of named parameters from a mesh.
+template <typename T>
+struct is_named_parameters : std::false_type
+{
+};
+template <typename T, typename Tag, typename Base>
+struct is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
+{
+};
+template <typename T>
+struct is_named_parameters<const T> : is_named_parameters<T>
+{
+};
 
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters>
 Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const SizingField& sizing,
@@ -77,7 +94,8 @@ unchanged.  Not guaranteed: a minimum quality where the features themselves enfo
 Complexity: near linear in the number of faces of input and output, for bounded valences.
 */
 template <typename SizingField, typename QuadMesh,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_named_parameters<NamedParameters>::value, int> = 0>
 Adaptation_report adapt_quad_mesh(const SizingField& sizing, QuadMesh& mesh,
                                   const NamedParameters& np = parameters::default_values())
 {
@@ -90,10 +108,12 @@ rest stay as they are, so that the mesh remains conforming.
 
 \tparam FaceRange a model of `ConstRange` with value type `face_descriptor`.
 */
-template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
-          typename = typename boost::graph_traits<QuadMesh>::face_descriptor>
+template <typename FaceRange, typename SizingField, typename QuadMesh,
+          typename NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!internal::is_named_parameters<QuadMesh>::value, int> = 0>
 Adaptation_report adapt_quad_mesh(const FaceRange& region, const SizingField& sizing,
-                                  QuadMesh& mesh, const NamedParameters& np)
+                                  QuadMesh& mesh,
+                                  const NamedParameters& np = parameters::default_values())
 {
   return internal::adapt_faces(region, true, sizing, mesh, np);
 }

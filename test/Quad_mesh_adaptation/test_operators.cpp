@@ -42,7 +42,8 @@ Counts count(const Quad_complex& m)
 }
 
 // `fused`: doublets that the operator would have made; each takes one more face and node with it.
-void expect_promise(const Quad_complex& before, const Quad_complex& after, const Place& p, long fused)
+void expect_promise(const Quad_complex& before, const Quad_complex& after, const Place& p,
+                    long fused)
 {
   const Counts a = count(before), b = count(after);
   EXPECT_EQ(b.faces - a.faces, p.faces - fused);
@@ -56,7 +57,12 @@ void expect_promise(const Quad_complex& before, const Quad_complex& after, const
   }
 }
 
-enum class Outcome { illegal, refused, applied };
+enum class Outcome
+{
+  illegal,
+  refused,
+  applied
+};
 
 // Applies the operator to a copy; `extra` says whether the cavity takes in its halo (bit 0) and is
 // relaxed (bit 1).  Relaxation may tangle what was tangled before it: only a replacement without
@@ -234,7 +240,9 @@ TEST(Refused_operations, ClosedCurveKeepsFourEdges)
       }
     }
     EXPECT_GE(count(s.mesh).border_edges, 8) << around << " around";
-    if(around > 8) { EXPECT_LT(count(s.mesh).border_edges, 2 * around) << "nothing was removed"; }
+    if(around > 8) {
+      EXPECT_LT(count(s.mesh).border_edges, 2 * around) << "nothing was removed";
+    }
   }
 }
 

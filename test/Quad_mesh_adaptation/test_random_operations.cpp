@@ -30,7 +30,8 @@ class Walk
 public:
   Walk(Adaptation_state& s, unsigned seed)
       : s_(s), cavity_(s), random_(seed), before_(state_checks::snapshot(s))
-  {}
+  {
+  }
 
   // One step; what was done.
   std::string step()
@@ -76,7 +77,8 @@ private:
     std::vector<double> wish(4 * std::size_t(s_.mesh.face_end()));
     for(Index h = 0; h < Index(wish.size()); ++h) {
       wish[h] = 1e-3 * double(random_() % 1000) * (random_() % 4 == 0 ? -1 : 1);
-      if(s_.mesh.is_face(h >> 2) && s_.mesh.curve(h) >= 0 && s_.curves[s_.mesh.curve(h)].is_frozen())
+      if(s_.mesh.is_face(h >> 2) && s_.mesh.curve(h) >= 0 &&
+         s_.curves[s_.mesh.curve(h)].is_frozen())
         wish[h] = std::numeric_limits<double>::infinity();
     }
     const std::vector<char> split = core::even_marks(s_.mesh, wish, 0.1);
@@ -92,7 +94,6 @@ private:
     s_ = copy;
     return what;
   }
-
 
   std::string improve()
   {
@@ -122,13 +123,13 @@ TEST(Random_operations, InvariantsHoldAfterEachStep)
       if(what.empty()) continue;
       ++done[what.substr(0, what.find(' ', what.find(' ') + 1))];
       const std::string problem = walk.problem();
-      EXPECT_EQ(problem, "") << n.name << ", step " << i << ": " << what << ", QUAD_MESH_SEED="
-                             << seed;
+      EXPECT_EQ(problem, "") << n.name << ", step " << i << ": " << what
+                             << ", QUAD_MESH_SEED=" << seed;
       if(!problem.empty()) break;
     }
   }
-  for(const char* name : { "face close", "face open", "left edge", "right edge", "vertex rotation",
-                           "half-ring collapse", "border split", "chord collapse", "collapse of",
-                           "refinement of" })
+  for(const char* name :
+      { "face close", "face open", "left edge", "right edge", "vertex rotation",
+        "half-ring collapse", "border split", "chord collapse", "collapse of", "refinement of" })
     EXPECT_GT(done[name], 0) << name << " was never applied";
 }

@@ -60,8 +60,7 @@ void run(unsigned seed, const Shape& shape, QMA::Schedule schedule)
   Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
   const mesh_checks::Facts before = mesh_checks::facts_of(shape.points, shape.quads);
   const auto start = std::chrono::steady_clock::now();
-  const QMA::Adaptation_report report =
-      QMA::adapt_quad_mesh(size, mesh, QMA::schedule(schedule));
+  const QMA::Adaptation_report report = QMA::adapt_quad_mesh(size, mesh, QMA::schedule(schedule));
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ASSERT_TRUE(report.has_valid_mesh()) << report.message;

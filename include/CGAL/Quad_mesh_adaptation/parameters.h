@@ -49,7 +49,7 @@ Named_function_parameters<Schedule, schedule_t, NP> schedule(Schedule s, const N
 }
 
 /// Angle in degrees at and above which the turn of the surface across an edge makes that edge a
-/// feature curve, and the turn of a curve at a vertex makes that vertex a corner; default 40;
+/// feature curve, and the turn of a curve at a vertex makes that vertex a corner; default 50;
 /// 180 detects nothing.
 inline Named_function_parameters<double, feature_angle_t> feature_angle(double degrees)
 {

@@ -42,7 +42,10 @@ inline void add_closes(const Adaptation_state& s, std::vector<Place>& list)
   for(Index h = 0; h < 4 * m.face_end(); ++h) {
     if(!m.is_face(m.face(h)) || !core::is_face_close_allowed(s, h)) continue;
     Place p{ "face close at half-edge " + std::to_string(h),
-             [h](Adaptation_state& t, Cavity& c) { core::describe_face_close(t, h, c); }, -1, -1, 0,
+             [h](Adaptation_state& t, Cavity& c) { core::describe_face_close(t, h, c); },
+             -1,
+             -1,
+             0,
              {} };
     p.corners[m.target(h)] = p.corners[m.origin(m.prev(h))] = -1;
     list.push_back(p);
@@ -63,7 +66,10 @@ inline void add_opens(const Adaptation_state& s, std::vector<Place>& list)
         const int sector = int((j + out.size() - i) % out.size());
         Place p{ "face open at half-edges " + std::to_string(a) + " " + std::to_string(b),
                  [a, b](Adaptation_state& t, Cavity& c) { core::describe_face_open(t, a, b, c); },
-                 1, 1, 0, {} };
+                 1,
+                 1,
+                 0,
+                 {} };
         p.corners[v] = 1 - sector;
         ++p.corners[m.target(a)];
         ++p.corners[m.target(b)];
@@ -79,9 +85,14 @@ inline void add_swaps(const Adaptation_state& s, std::vector<Place>& list)
     if(!m.is_face(m.face(h)) || m.opposite(h) < h || !core::is_edge_swap_allowed(s, h)) continue;
     const Index o = m.opposite(h);
     for(bool left : { true, false }) {
-      Place p{ std::string(left ? "left" : "right") + " edge swap at half-edge " + std::to_string(h),
-               [h, left](Adaptation_state& t, Cavity& c) { core::describe_edge_swap(t, h, left, c); },
-               0, 0, 0, {} };
+      Place p{
+        std::string(left ? "left" : "right") + " edge swap at half-edge " + std::to_string(h),
+        [h, left](Adaptation_state& t, Cavity& c) { core::describe_edge_swap(t, h, left, c); },
+        0,
+        0,
+        0,
+        {}
+      };
       --p.corners[m.origin(h)];
       --p.corners[m.target(h)];
       ++p.corners[left ? m.target(m.next(h)) : m.origin(m.prev(h))];
@@ -98,8 +109,11 @@ inline void add_rotations(const Adaptation_state& s, std::vector<Place>& list)
   for(Index v = 0; v < m.vertex_end(); ++v) {
     if(!m.is_vertex(v) || !core::is_vertex_rotation_allowed(s, v)) continue;
     Place p{ "vertex rotation at " + std::to_string(v),
-             [v](Adaptation_state& t, Cavity& c) { core::describe_vertex_rotation(t, v, c); }, 0, 0,
-             0, {} };
+             [v](Adaptation_state& t, Cavity& c) { core::describe_vertex_rotation(t, v, c); },
+             0,
+             0,
+             0,
+             {} };
     m.outgoing(v, out);
     for(Index h : out) {
       --p.corners[m.target(h)];
@@ -119,12 +133,19 @@ inline void add_border_pairs(const Adaptation_state& s, std::vector<Place>& list
     if(core::is_half_ring_collapse_allowed(s, b))
       list.push_back(
           { "half-ring collapse" + at,
-            [b](Adaptation_state& t, Cavity& c) { core::describe_half_ring_collapse(t, b, c); }, -2,
-            -3, -2, { { b.p, -1 }, { b.q, -1 } } });
+            [b](Adaptation_state& t, Cavity& c) { core::describe_half_ring_collapse(t, b, c); },
+            -2,
+            -3,
+            -2,
+            { { b.p, -1 }, { b.q, -1 } } });
     if(core::is_border_split_allowed(s, b))
-      list.push_back({ "border split" + at,
-                       [b](Adaptation_state& t, Cavity& c) { core::describe_border_split(t, b, c); },
-                       4, 5, 2, { { b.p, 1 }, { b.q, 1 }, { v, 0 }, { b.m, 0 } } });
+      list.push_back(
+          { "border split" + at,
+            [b](Adaptation_state& t, Cavity& c) { core::describe_border_split(t, b, c); },
+            4,
+            5,
+            2,
+            { { b.p, 1 }, { b.q, 1 }, { v, 0 }, { b.m, 0 } } });
   }
 }
 
@@ -139,7 +160,10 @@ inline void add_chords(const Adaptation_state& s, std::vector<Place>& list)
     list.push_back(
         { "chord collapse from half-edge " + std::to_string(h),
           [chord](Adaptation_state& t, Cavity& c) { core::describe_chord_collapse(t, chord, c); },
-          -n, chord.is_closed ? -n : -n - 1, chord.is_closed ? 0 : -2, {} });
+          -n,
+          chord.is_closed ? -n : -n - 1,
+          chord.is_closed ? 0 : -2,
+          {} });
   }
 }
 
@@ -169,7 +193,10 @@ inline void add_rings(const Adaptation_state& s, std::vector<Place>& list)
           { "collapse of the ring about " + std::to_string(n) + " faces at half-edge " +
                 std::to_string(h),
             [ring](Adaptation_state& t, Cavity& c) { core::describe_ring_collapse(t, ring, c); },
-            -k, -merges, -rungs_on_border(m, ring), {} });
+            -k,
+            -merges,
+            -rungs_on_border(m, ring),
+            {} });
     }
   }
 }

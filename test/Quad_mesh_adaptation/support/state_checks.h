@@ -205,8 +205,7 @@ inline Snapshot snapshot(const Adaptation_state& s)
 
 // The edges of curve c form one chain from its first to its last corner, or one cycle, through
 // its own nodes in the order of their arc lengths.
-inline std::string chain_problem(const Adaptation_state& s, Index c,
-                                 const std::vector<Edge>& edges)
+inline std::string chain_problem(const Adaptation_state& s, Index c, const std::vector<Edge>& edges)
 {
   const core::Feature_curve& curve = s.curves[c];
   const Quad_complex& m = s.mesh;
@@ -240,7 +239,8 @@ inline std::string chain_problem(const Adaptation_state& s, Index c,
   if(!curve.is_closed() && loop && arc(ahead[0], true) > arc(ahead[1], true))
     std::swap(ahead[0], ahead[1]); // start along the curve
   Index w = ahead[0];
-  const double sign = curve.is_closed() && curve.difference(arc(v, false), arc(w, false)) < 0 ? -1 : 1;
+  const double sign =
+      curve.is_closed() && curve.difference(arc(v, false), arc(w, false)) < 0 ? -1 : 1;
   for(; steps < edges.size(); ++steps) {
     const bool last = !curve.is_closed() && w == curve.last_corner;
     const double d = curve.is_closed() ? curve.difference(arc(v, false), arc(w, false))
@@ -279,7 +279,8 @@ inline std::string curve_problem(const Adaptation_state& s)
   for(Index v = 0; v < m.vertex_end(); ++v) {
     if(!m.is_vertex(v)) continue;
     const core::Vertex_record& r = m.vertex(v);
-    if(r.carrier == Carrier::surface && m.is_border_vertex(v)) return name("loose border vertex", v);
+    if(r.carrier == Carrier::surface && m.is_border_vertex(v))
+      return name("loose border vertex", v);
     if(r.carrier == Carrier::curve && (r.curve < 0 || r.curve >= Index(s.curves.size())))
       return name("no curve under vertex", v);
   }
@@ -293,7 +294,8 @@ inline std::string cache_problem(const Adaptation_state& s)
   for(Index f = 0; f < Index(s.energy_cache.size()); ++f) {
     if(f >= s.mesh.face_end() || !s.mesh.is_face(f) || std::isnan(s.energy_cache[f])) continue;
     const double e = s.face_energy(f);
-    if(std::abs(e - s.energy_cache[f]) > 1e-5 * (1 + std::abs(e))) return name("stale energy of face", f);
+    if(std::abs(e - s.energy_cache[f]) > 1e-5 * (1 + std::abs(e)))
+      return name("stale energy of face", f);
   }
   return "";
 }

@@ -115,11 +115,11 @@ inline std::vector<Named_state> all_states()
   for(const Shape& s : shape_zoo::all()) list.push_back({ s.name, make_state(s) });
   Options smooth;
   smooth.feature_angle = 180;
-  for(const Shape& s : { shape_zoo::plate(), shape_zoo::cube(), shape_zoo::open_cylinder(),
-                         shape_zoo::l_shape() })
+  for(const Shape& s :
+      { shape_zoo::plate(), shape_zoo::cube(), shape_zoo::open_cylinder(), shape_zoo::l_shape() })
     list.push_back({ s.name + " without corners", make_state(s, smooth) });
-  for(const Shape& s : { shape_zoo::plate(), shape_zoo::torus(), shape_zoo::open_cylinder(),
-                         shape_zoo::sphere() })
+  for(const Shape& s :
+      { shape_zoo::plate(), shape_zoo::torus(), shape_zoo::open_cylinder(), shape_zoo::sphere() })
     list.push_back({ s.name + " with crease", make_state(s, with_crease(s)) });
   for(const Shape& s : { shape_zoo::plate(), shape_zoo::annulus(), shape_zoo::irregular() })
     list.push_back({ s.name + " partly frozen", make_state(s, with_frozen_border(s)) });

@@ -54,9 +54,10 @@ Mesh make(const Shape& s)
     put(vpm, v.back(), Point(p.x(), p.y(), p.z()));
   }
   for(const Quad& q : s.quads)
-    CGAL::Euler::add_face(std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>{
-                              v[q[0]], v[q[1]], v[q[2]], v[q[3]] },
-                          mesh);
+    CGAL::Euler::add_face(
+        std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>{ v[q[0]], v[q[1]],
+                                                                            v[q[2]], v[q[3]] },
+        mesh);
   return mesh;
 }
 
@@ -106,7 +107,9 @@ void expect_valid(const Mesh& mesh, const mesh_checks::Facts& before)
       << before.boundary_loops << " -> " << after.boundary_loops << ", Euler "
       << before.euler_characteristic << " -> " << after.euler_characteristic;
   EXPECT_LE(after.doublets, before.doublets);
-  if(before.min_scaled_jacobian > 0) { EXPECT_GT(after.min_scaled_jacobian, 0); }
+  if(before.min_scaled_jacobian > 0) {
+    EXPECT_GT(after.min_scaled_jacobian, 0);
+  }
 }
 
 /// A smooth size with bumps: far away `base`, near the centre of bump i its own size.
@@ -126,8 +129,8 @@ struct Bumps
     const Vec p(CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z()));
     double log_h = std::log(base);
     for(const Bump& b : bumps)
-      log_h += std::log(b.factor) * std::exp(-(p - b.centre).squared_length() /
-                                             (b.radius * b.radius));
+      log_h +=
+          std::log(b.factor) * std::exp(-(p - b.centre).squared_length() / (b.radius * b.radius));
     return std::exp(log_h);
   }
 };

@@ -35,8 +35,9 @@ struct Smoothing_weights
   int power = 10;
   double hinge = 0; // switched on for the last sweeps
   double hinge_at = 0.985;
-  bool two_sided = false; // also push faces that are too small
-  double min_corner = 0.45; // no corner measure 2 D / N falls below min(this, worst before)
+  bool two_sided = false;        // also push faces that are too small
+  bool keep_within_size = false; // no move leaves a face above its size that was not
+  double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)
 };
 
 // Everything the phases work on: a compact copy of the caller's mesh, so that the call is
@@ -119,13 +120,18 @@ struct Adaptation_state
     return mean_edge_length(p) / size.at_face(p);
   }
 
+  // Does the face turn away from the direction it should show?
+  static bool is_folded(const Corners& p, const Vec& reference)
+  {
+    const Vec n = area_vector(p);
+    const double lr = norm(reference);
+    return lr > 1e-9 && !(n * reference > 0.1 * norm(n) * lr);
+  }
+
   // The face's own unit normal, or the reference's where the face is folded over.
   static Vec facing(const Corners& p, const Vec& reference)
   {
-    const Vec n = area_vector(p);
-    const double l = norm(n), lr = norm(reference);
-    if(lr > 1e-9 && !(n * reference > 0.1 * l * lr)) return reference / lr;
-    return l > 0 ? n / l : Vec(0, 0, 0);
+    return is_folded(p, reference) ? normalized(reference) : normalized(area_vector(p));
   }
 
   double valence_energy(int faces, const Vertex_record& r) const

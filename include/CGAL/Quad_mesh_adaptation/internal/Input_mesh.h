@@ -37,6 +37,9 @@ struct Refused
   Refusal reason;
   std::string message;
   long entity = -1;
+  // where set, the entity is this vertex of the Input_mesh, and the message goes on after its
+  // number
+  Index input_vertex = -1;
 };
 
 // A quad is cut along the diagonal that leaves the two triangles least folded.

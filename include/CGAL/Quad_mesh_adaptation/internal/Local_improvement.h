@@ -23,7 +23,7 @@ struct Improvement_options
   bool close = true, open = true, swap = true, rotate = true, border = true;
   int max_valence = 5;           // of inner nodes, unless it was higher before
   bool keep_within_size = false; // no operation may leave a face above its size
-  double min_jacobian = 0.5;    // no face may fall below min(this, worst before)
+  double min_jacobian = 0.5;     // no face may fall below min(this, worst before)
   int sweeps = 2;                // of the local relaxation
   double halo_below = 2; // try again with more nodes free to move where this close to a gain
 };
@@ -228,7 +228,7 @@ private:
     const bool border = m.is_border_vertex(v);
     const double base = s_.energy.face - slack(v);
     for(int i = 0; i < n; ++i)
-      for(int sector = 2; sector < n; ++sector) { // faces that the new node takes
+      for(int sector = 2; sector < n; ++sector) {            // faces that the new node takes
         if(border ? i + sector >= n : sector > n - 2) break; // v keeps three faces, too
         const Index ha = out_[i], hb = out_[(i + sector) % n];
         const int fresh = sector + 1 - 4;

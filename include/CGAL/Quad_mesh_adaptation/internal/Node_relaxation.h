@@ -44,20 +44,21 @@ public:
   {
     const int dofs = directions(r);
     if(dofs == 0) return false;
-    const Evaluation before = evaluate(r.p);
+    const Evaluation before = evaluate(r.p, r.normal);
     Local_model m;
-    for(const Star_face& f : star_) add_derivatives(r.p, f, dofs, m);
-    double step[2];
+    for(const Star_face& f : star_) add_derivatives(r, f, dofs, m);
+    double step[2] = { 0, 0 };
     if(!newton_step(m, dofs, step)) return false;
     return line_search(r, dofs, step, before);
   }
 
-  double objective(const Vec& x) const { return evaluate(x).value; }
+  double objective(const Vertex_record& r) const { return evaluate(r.p, r.normal).value; }
 
 private:
   struct Evaluation
   {
     double value = 0, worst = 1; // worst corner t = 2 D / N
+    double largest = 0;          // size ratio
   };
 
   // Basis of the directions r may move in; returns their number.
@@ -76,19 +77,22 @@ private:
     return 2;
   }
 
-  Evaluation evaluate(const Vec& x) const
+  Evaluation evaluate(const Vec& x, const Vec& normal) const
   {
     Evaluation e;
     for(const Star_face& f : star_) {
       const Corners p = { x, f.q1, f.q2, f.q3 };
-      const Vec n = Adaptation_state::facing(p, f.reference);
+      if(Adaptation_state::is_folded(p, f.reference + normal)) e.worst = -1;
+      const Vec n = Adaptation_state::facing(p, f.reference + normal);
       for(int i = 0; i < 4; ++i) {
         const Vec a = p[(i + 1) & 3] - p[i], b = p[(i + 3) & 3] - p[i];
         const double N = a * a + b * b, D = n * cross(a, b);
         e.value += 0.25 * Corner_cost::value(N, D);
         e.worst = (std::min)(e.worst, N > 0 ? 2 * D / N : -1.);
       }
-      e.value += size_cost(mean_edge_length(p) / s_.target(p, f.floor));
+      const double r = mean_edge_length(p) / s_.target(p, f.floor);
+      e.value += size_cost(r);
+      e.largest = (std::max)(e.largest, r);
     }
     return e;
   }
@@ -128,10 +132,11 @@ private:
   }
 
   // Derivatives at x of the cost of one face, normals frozen.
-  void add_derivatives(const Vec& x, const Star_face& f, int dofs, Local_model& m) const
+  void add_derivatives(const Vertex_record& r, const Star_face& f, int dofs, Local_model& m) const
   {
+    const Vec& x = r.p;
     const Corners p = { x, f.q1, f.q2, f.q3 };
-    const Vec n = Adaptation_state::facing(p, f.reference);
+    const Vec n = Adaptation_state::facing(p, f.reference + r.normal);
     // N = |a|^2 + |b|^2 and D = n . (a x b) at the corners x, q1 and q3; both edges depend on x
     // at the first, one at the others
     add_corner(f.q1 - x, f.q3 - x, 4, 2 * (x - f.q1) + 2 * (x - f.q3), cross(n, f.q3 - f.q1), n,
@@ -235,9 +240,10 @@ private:
       else
         t.p = r.p + (scale * step[0]) * t_[0] + (scale * step[1]) * t_[1];
       s_.place(t);
-      const Evaluation after = evaluate(t.p);
+      const Evaluation after = evaluate(t.p, t.normal);
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
-         after.worst >= (std::min)(before.worst, s_.smoothing.min_corner)) {
+         after.worst >= (std::min)(before.worst, s_.smoothing.min_corner) &&
+         (!s_.smoothing.keep_within_size || after.largest <= (std::max)(before.largest, 1.))) {
         r = t;
         return true;
       }

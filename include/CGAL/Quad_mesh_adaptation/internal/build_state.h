@@ -59,11 +59,11 @@ private:
     for(const Quad& q : in_.quads) m.add_face(q, 0);
     Index bad = -1;
     if(!m.link(&bad))
-      throw Refused{ Refusal::non_manifold,
-                     "the edge from vertex " + std::to_string(m.origin(bad)) + " to vertex " +
-                         std::to_string(m.target(bad)) +
-                         " belongs to more faces than two, or to two of opposite orientation",
-                     m.origin(bad) };
+      throw Refused{
+        Refusal::non_manifold,
+        "starts an edge of more than two faces, or of two faces of opposite orientation", -1,
+        m.origin(bad)
+      };
     check_umbrellas();
   }
 
@@ -75,10 +75,8 @@ private:
       if(!m.is_vertex(v)) continue;
       m.outgoing(v, out);
       if(int(out.size()) != m.vertex(v).faces)
-        throw Refused{ Refusal::non_manifold,
-                       "vertex " + std::to_string(v) +
-                           " joins parts of the mesh that share no edge there",
-                       v };
+        throw Refused{ Refusal::non_manifold, "joins parts of the mesh that share no edge there",
+                       -1, v };
     }
   }
 

@@ -247,8 +247,8 @@ inline bool Cavity::close()
     if(gone && ids[n] >= 0 &&
        (nodes[n].frozen || nodes[n].carrier == Carrier::corner || total_corners_[n] != 0))
       return false;
-    const bool new_on_border = ids[n] < 0 && nodes[n].carrier == Carrier::curve &&
-                               s_.curves[nodes[n].curve].is_border();
+    const bool new_on_border =
+        ids[n] < 0 && nodes[n].carrier == Carrier::curve && s_.curves[nodes[n].curve].is_border();
     if(!gone && !border && !new_on_border && total_corners_[n] < limit_of(n)) return false;
   }
   if(!match_outside() || !umbrellas_whole() || !curves_kept() || has_parallel_edge()) return false;

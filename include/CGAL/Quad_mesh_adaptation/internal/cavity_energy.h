@@ -93,14 +93,7 @@ inline double Cavity::largest_after() const
 
 inline double Cavity::worst_corner(const Corners& p, const Vec& reference)
 {
-  const Vec n = Adaptation_state::facing(p, reference);
-  double worst = 1;
-  for(int i = 0; i < 4; ++i) {
-    const Vec a = p[(i + 1) & 3] - p[i], b = p[(i + 3) & 3] - p[i];
-    const double l = std::sqrt((a * a) * (b * b));
-    worst = (std::min)(worst, l > 0 ? n * cross(a, b) / l : -1.);
-  }
-  return worst;
+  return Adaptation_state::is_folded(p, reference) ? -1. : scaled_jacobian(p);
 }
 
 inline void Cavity::relax(int sweeps)
@@ -135,7 +128,7 @@ inline void Cavity::gather(int n, int first, int last)
     f.q1 = a.p;
     f.q2 = b.p;
     f.q3 = c.p;
-    f.reference = reference_of(q);
+    f.reference = reference_of(q) - x.normal;
     f.floor = floor_of(q);
     f.grad_h = s_.size.is_constant()
                    ? Vec(0, 0, 0)

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COARSENING_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COARSENING_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/chord_coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 
@@ -13,9 +14,9 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Coarsening by local operations: closing a face of a regular mesh makes irregular nodes, so the
-// weight of valences is relaxed while faces are closed and set back for the clean-up after it.
-// Ends when a round closes fewer than 1 % of the faces.
+// Coarsening by whole chords first, then by local operations: closing a face of a regular mesh
+// makes irregular nodes, so the weight of valences is relaxed while faces are closed and set back
+// for the clean-up after it. Ends when a round closes fewer than 1 % of the faces.
 inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clean, int max_rounds)
 {
   const double strict = s.energy.valence;
@@ -24,6 +25,7 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
     const Index before = s.mesh.number_of_faces();
     {
       Phase_scope phase(s, "coarsening");
+      coarsen_by_chords(s, 0.35);
       s.energy.valence = 0.05;
       s.forget_energies();
       Improvement_options relaxed = clean;

@@ -51,6 +51,9 @@ public:
     remove_old_edges_and_vertices();
   }
 
+  // The caller's face for face f of the state, after the call.
+  face_descriptor face_of(Index f) const { return face(halfedge_of_[4 * f], mesh_); }
+
 private:
   static halfedge_descriptor null() { return Traits::null_halfedge(); }
 

@@ -180,6 +180,44 @@ bool is_paper_schedule(const NamedParameters& np)
                                       Schedule::progressive) == Schedule::paper;
 }
 
+// Numbers are 32 bit and memory is finite: better refused at once than after an hour.
+inline void refuse_too_many(double faces)
+{
+  if(!(faces > 1e8)) return;
+  std::ostringstream text;
+  text << "the sizes ask for about " << faces << " faces, more than the limit of 1e8";
+  throw Refused{ Refusal::invalid_size, text.str(), -1, -1 };
+}
+
+template <typename Vertex, typename QuadMesh>
+long position_of(const Vertex& wanted, const QuadMesh& mesh)
+{
+  long position = 0;
+  for(const auto& v : vertices(mesh)) {
+    if(v == wanted) return position;
+    ++position;
+  }
+  return -1;
+}
+
+// Where the faces of the state stand in the iteration over the caller's mesh.
+template <typename Export, typename QuadMesh>
+std::vector<std::size_t> positions_of(const std::vector<Index>& faces_of_state,
+                                      const Export& written, const QuadMesh& mesh)
+{
+  std::vector<std::size_t> list;
+  if(faces_of_state.empty()) return list;
+  auto marked = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+  for(auto f : faces(mesh)) put(marked, f, false);
+  for(Index f : faces_of_state) put(marked, written.face_of(f), true);
+  std::size_t position = 0;
+  for(auto f : faces(mesh)) {
+    if(get(marked, f)) list.push_back(position);
+    ++position;
+  }
+  return list;
+}
+
 // What every public function does around its algorithm: import and check, build the state, run
 // `algorithm(state)`, measure, and only then write back.
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
@@ -194,12 +232,12 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
   auto vpm = Decoded::vertex_point_map(mesh, np);
   auto ecm = Decoded::edge_map(np);
   auto vcm = Decoded::vertex_map(np);
+  Mesh_descriptors<QuadMesh> descriptors;
   try {
     Adaptation_state s;
     s.size = make_sampler<typename Decoded::Point>(sizing);
     if(paper) s.size.sampling = Size_sampling::centre;
     Input_mesh in;
-    Mesh_descriptors<QuadMesh> descriptors;
     Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm)> import(mesh, vpm, ecm, vcm);
     import(faces, is_region, in, descriptors);
     const std::optional<Triangle_soup> reference = decode_reference(np);
@@ -211,20 +249,27 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     observe(np, s, clock);
     State_builder(in, features, s)(reference ? &*reference : nullptr);
     report.before = measure_state(s, reference);
+    refuse_too_many(report.before.ideal_number_of_faces);
     algorithm(s, report);
     report.after = measure_state(s, reference);
     s.report_progress(1);
     report.iterations = s.iterations;
     for(const auto& o : s.operations) report.operations.push_back({ o.first, o.second });
     judge_sizes(report, paper);
-    Mesh_export<QuadMesh, decltype(vpm), decltype(ecm)>(mesh, vpm, ecm, in, descriptors, s)();
     const std::vector<Index> large = faces_too_large(s);
-    report.faces_too_large.assign(large.begin(), large.end());
+    Mesh_export<QuadMesh, decltype(vpm), decltype(ecm)> write(mesh, vpm, ecm, in, descriptors, s);
+    write(); // from here on nothing of the caller's is called any more but his maps
+    report.faces_too_large = positions_of(large, write, mesh);
   } catch(const Refused& e) {
-    report.status = Adaptation_status::input_refused;
+    report.status = e.reason == Refusal::invalid_size ? Adaptation_status::sizes_refused
+                                                      : Adaptation_status::input_refused;
     report.reason = e.reason;
     report.message = e.message;
     report.entity = e.entity;
+    if(e.input_vertex >= 0) {
+      report.entity = position_of(descriptors.vertices[e.input_vertex], mesh);
+      report.message = "vertex " + std::to_string(report.entity) + " " + e.message;
+    }
   } catch(const Bad_size& e) {
     report.status = Adaptation_status::sizes_refused;
     report.reason = Refusal::invalid_size;

@@ -95,36 +95,69 @@ inline void press_down(Adaptation_state& s, const Improvement_options& o,
   smooth(s, 6, &near);
 }
 
+// What pressure and splits have spoiled is mended without giving up a size that is met: clean-up
+// and smoothing that leave no face above its size that was not.
+inline void settle(Adaptation_state& s, Improvement_options o, int rounds)
+{
+  o.keep_within_size = true;
+  s.smoothing.keep_within_size = true;
+  for(int round = 0; round < rounds; ++round) {
+    smooth(s, 4);
+    Local_improvement improvement(s, o);
+    improvement.activate_all();
+    std::size_t done = 0;
+    for(int pass = 0; pass < 3; ++pass) {
+      const std::size_t now = improvement.pass();
+      done += now;
+      if(now == 0) break;
+    }
+    if(done == 0) break;
+  }
+  smooth(s, 6);
+  s.smoothing.keep_within_size = false;
+}
+
+// Splits, as the last resort, and a clean-up of what they leave.
+inline void split_and_clean(Adaptation_state& s, const Improvement_options& o,
+                            const std::vector<Index>& large)
+{
+  if(split_too_large(s, large) == 0) return;
+  smooth(s, 2);
+  Local_improvement improvement(s, o);
+  improvement.activate_all();
+  for(int pass = 0; pass < 4; ++pass)
+    if(improvement.pass() == 0) break;
+}
+
 // Until no face is larger than wanted, or `max_rounds`: pressure that grows from round to round,
-// and every third round splits.  Returns the number of faces left too large.
-inline std::size_t enforce_sizes(Adaptation_state& s, Improvement_options o, int max_rounds)
+// splits where that does not help.  Returns the number of faces left too large.
+inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options& o, int max_rounds)
 {
   Phase_scope phase(s, "size guarantee");
   const Smoothing_weights gentle = s.smoothing;
   const Energy_weights energy = s.energy;
+  Improvement_options pressed = o;
+  pressed.min_jacobian = 0.35;
   std::vector<Index> large = faces_too_large(s);
   double weight = 2;
   for(int round = 0; round < max_rounds && !large.empty(); ++round, weight *= 1.7) {
     s.check_cancelled();
+    if(round % 6 == 5) split_and_clean(s, o, large);
+    s.smoothing.min_corner = 0.3;
     s.smoothing.hinge = 2000 * (std::min)(weight, 20.);
     s.energy.oversize = energy.oversize * (std::min)(weight, 100.);
     s.forget_energies();
-    if(round % 4 == 3 && split_too_large(s, large) > 0) {
-      s.forget_energies();
-      Local_improvement improvement(s, o);
-      improvement.activate_all();
-      for(int pass = 0; pass < 4; ++pass)
-        if(improvement.pass() == 0) break;
-      large = faces_too_large(s);
-    }
-    o.keep_within_size = round >= 2;
-    press_down(s, o, large);
+    pressed.keep_within_size = round >= 2;
+    press_down(s, pressed, faces_too_large(s));
+    s.smoothing = gentle;
+    s.energy = energy;
+    s.forget_energies();
     large = faces_too_large(s);
   }
+  s.smoothing.hinge = 2000;
+  settle(s, o, 3);
   s.smoothing = gentle;
-  s.energy = energy;
-  s.forget_energies();
-  return large.size();
+  return faces_too_large(s).size();
 }
 
 } // namespace internal

@@ -27,7 +27,7 @@ inline void gather_star(const Adaptation_state& s, Index v, std::vector<Star_fac
     f.q1 = ra.p;
     f.q2 = rb.p;
     f.q3 = rc.p;
-    f.reference = x.normal + ra.normal + rb.normal + rc.normal;
+    f.reference = ra.normal + rb.normal + rc.normal;
     f.floor = 0.25 * (x.floor + ra.floor + rb.floor + rc.floor);
     f.grad_h = s.size.is_constant()
                    ? Vec(0, 0, 0)
