@@ -138,14 +138,17 @@ inline std::vector<Quad> quads_of(const Quad_complex& m, std::vector<Vec>& point
 
 // --- shape
 
-// Folded over: some corner turns the wrong way, seen along the face's own normal or against the
-// reference normals at its corners.
+// Folded over: some corner turns the wrong way seen along the face's own normal, or the face shows
+// its back to the reference surface.  Where the normals at its corners point all ways, as on a face
+// round half a tube, or stand across it, there is no telling back from front.
 inline bool is_inverted(const Adaptation_state& s, Index f)
 {
   const core::Corners p = s.corners(f);
   if(!(mesh_checks::scaled_jacobian(p[0], p[1], p[2], p[3]) > 0)) return true;
+  double weight = 0;
+  for(Index v : s.mesh.quad(f)) weight += core::norm(s.mesh.vertex(v).normal);
   const Vec n = core::area_vector(p), r = s.reference_normal(f);
-  return r * r > 1e-12 && !(n * r > 0);
+  return core::norm(r) > 0.5 * weight && weight > 0 && n * r < -0.5 * core::norm(n) * core::norm(r);
 }
 
 inline std::size_t number_of_inverted(const Adaptation_state& s)

@@ -40,31 +40,36 @@ inline double Cavity::worst_before() const
 
 inline double Cavity::worst_after() const
 {
-  if(!curves_in_order()) return -1;
+  if(!curves_in_order()) return -2; // below any face
   double worst = 1;
   for(const Cavity_quad& q : quads)
     worst = (std::min)(worst, worst_corner(corners_of(q), reference_of(q)));
   return worst;
 }
 
-// Every inner node of a curve lies between its neighbours there.
+// Nodes next to each other on a curve are in the order they had, new ones between their neighbours.
 inline bool Cavity::curves_in_order() const
 {
-  std::vector<std::pair<int, int>> next; // node of a curve, neighbour
+  std::vector<double> side(nodes.size(), 0.); // of a new node: where it sees its first neighbour
   for(int h = 0; h < int(partner_.size()); ++h) {
-    if(quads[h >> 2].curve[h & 3] < 0 || (partner_[h] >= 0 && partner_[h] < h)) continue;
-    for(int end = 0; end < 2; ++end) {
-      const int n = end == 0 ? origin(h) : target(h);
-      if(is_inner(n) && nodes[n].carrier == Carrier::curve)
-        next.emplace_back(n, end == 0 ? target(h) : origin(h));
+    const Index curve = quads[h >> 2].curve[h & 3];
+    if(curve < 0 || (partner_[h] >= 0 && partner_[h] < h)) continue;
+    const int ends[2] = { origin(h), target(h) };
+    if(nodes[ends[0]].carrier != Carrier::curve || nodes[ends[1]].carrier != Carrier::curve)
+      continue;
+    const Feature_curve& c = s_.curves[curve];
+    const double u = nodes[ends[0]].param, v = nodes[ends[1]].param;
+    if(ids[ends[0]] >= 0 && ids[ends[1]] >= 0) {
+      const double u_before = s_.mesh.vertex(ids[ends[0]]).param;
+      if(!is_order_kept(c, u_before, s_.mesh.vertex(ids[ends[1]]).param, u, v)) return false;
+      continue;
     }
-  }
-  std::sort(next.begin(), next.end());
-  for(std::size_t i = 1; i < next.size(); ++i) {
-    if(next[i].first != next[i - 1].first) continue;
-    const int n = next[i].first, a = next[i - 1].second, b = next[i].second;
-    if(!is_between(s_.curves[nodes[n].curve], nodes[n], ids[a], nodes[a], ids[b], nodes[b]))
-      return false;
+    for(int i = 0; i < 2; ++i) {
+      if(ids[ends[i]] >= 0) continue;
+      const double d = i == 0 ? c.difference(u, v) : c.difference(v, u);
+      if(side[ends[i]] * d > 0) return false;
+      side[ends[i]] = d;
+    }
   }
   return true;
 }

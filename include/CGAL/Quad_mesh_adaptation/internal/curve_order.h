@@ -28,27 +28,26 @@ inline std::array<Index, 2> curve_neighbours(const Quad_complex& m, Index v, Ind
   return found;
 }
 
-// Is node r of curve c between two others on that curve?  `u` and `w` are their vertices, -1 for
-// one that is none yet.  A node that slides past its neighbour folds the curve over, which need
-// not turn any face.
-inline bool is_between(const Feature_curve& c, const Vertex_record& r, Index u,
-                       const Vertex_record& a, Index w, const Vertex_record& b)
+// A node that slides past its neighbour on a curve folds the curve over, which need not turn any
+// face.  So two neighbours at arc lengths u and v must keep the order they had at u_before and
+// v_before; on a closed curve that also keeps every edge shorter than half of it.
+inline bool is_order_kept(const Feature_curve& c, double u_before, double v_before, double u,
+                          double v)
 {
-  if(!c.is_closed() && c.first_corner == c.last_corner) // an end may stand for either arc length
-    if(a.carrier != Carrier::curve || b.carrier != Carrier::curve) return true;
-  const auto place = [&](Index v, const Vertex_record& x) {
-    return x.carrier == Carrier::curve ? x.param : v == c.first_corner ? 0. : c.length();
-  };
-  return c.difference(r.param, place(u, a)) * c.difference(r.param, place(w, b)) < 0;
+  return c.difference(u_before, v_before) * c.difference(u, v) > 0;
 }
 
-inline bool is_between_neighbours(const Adaptation_state& s, Index v)
+// The same for vertex v, which has moved from `before`, and its neighbours.
+inline bool is_order_kept(const Adaptation_state& s, Index v, const Vertex_record& before)
 {
-  const Vertex_record& r = s.mesh.vertex(v);
-  if(r.carrier != Carrier::curve) return true;
-  const std::array<Index, 2> n = curve_neighbours(s.mesh, v, r.curve);
-  if(n[0] < 0 || n[1] < 0) return true;
-  return is_between(s.curves[r.curve], r, n[0], s.mesh.vertex(n[0]), n[1], s.mesh.vertex(n[1]));
+  if(before.carrier != Carrier::curve) return true;
+  for(Index n : curve_neighbours(s.mesh, v, before.curve)) {
+    if(n < 0 || s.mesh.vertex(n).carrier != Carrier::curve) continue; // none passes a corner
+    const double there = s.mesh.vertex(n).param;
+    if(!is_order_kept(s.curves[before.curve], before.param, there, s.mesh.vertex(v).param, there))
+      return false;
+  }
+  return true;
 }
 
 } // namespace internal

@@ -57,7 +57,7 @@ inline std::size_t smooth(Adaptation_state& s, int sweeps, std::vector<char>* ac
       const Vertex_record old = r;
       const Vec before = r.p;
       if(!relax(r)) continue;
-      if(!is_between_neighbours(s, v)) {
+      if(!is_order_kept(s, v, old)) {
         r = old;
         continue;
       }
