@@ -5,6 +5,7 @@
 #define QUAD_ADAPT_OPTIONS_H
 
 #include <CGAL/Quad_mesh_adaptation/IO/write_quad_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <CLI/CLI.hpp>
 
@@ -25,7 +26,7 @@ struct Options
   std::optional<std::string> size, size_function; // exactly one is given
   std::string reference, report, picture;
   std::string schedule = "default";
-  double feature_angle = 40;
+  double feature_angle = CGAL::Quad_mesh_adaptation::default_feature_angle;
   unsigned max_iterations = 0; // 0: the library's own limit
   bool is_quiet = false;
 };

@@ -48,9 +48,12 @@ Named_function_parameters<Schedule, schedule_t, NP> schedule(Schedule s, const N
   return Named_function_parameters<Schedule, schedule_t, NP>(s, np);
 }
 
+/// Degrees, see `feature_angle()`.
+constexpr double default_feature_angle = 50;
+
 /// Angle in degrees at and above which the turn of the surface across an edge makes that edge a
-/// feature curve, and the turn of a curve at a vertex makes that vertex a corner; default 50;
-/// 180 detects nothing.
+/// feature curve, and the turn of a curve at a vertex makes that vertex a corner; default
+/// `default_feature_angle`; 180 detects nothing.
 inline Named_function_parameters<double, feature_angle_t> feature_angle(double degrees)
 {
   return Named_function_parameters<double, feature_angle_t>(degrees);

@@ -125,7 +125,8 @@ struct Adaptation_state
   {
     const Vec n = area_vector(p);
     const double lr = norm(reference);
-    return lr > 1e-9 && !(n * reference > 0.1 * norm(n) * lr);
+    // the sum of normals that nearly cancel says nothing
+    return lr > 0.7 && !(n * reference > 0.1 * norm(n) * lr);
   }
 
   // The face's own unit normal, or the reference's where the face is folded over.

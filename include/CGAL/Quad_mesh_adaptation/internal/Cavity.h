@@ -182,7 +182,7 @@ private:
   {
     Vec n =
         nodes[q.v[0]].normal + nodes[q.v[1]].normal + nodes[q.v[2]].normal + nodes[q.v[3]].normal;
-    if(n * n < 1e-12 && q.parent >= 0) n = area_vector(s_.corners(q.parent));
+    if(n * n < 1e-12 && q.parent >= 0) n = normalized(area_vector(s_.corners(q.parent)));
     return n;
   }
   double floor_of(const Cavity_quad& q) const

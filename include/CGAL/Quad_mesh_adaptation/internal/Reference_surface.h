@@ -4,12 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_SURFACE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_SURFACE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Triangle_tree.h>
 #include <CGAL/Quad_mesh_adaptation/internal/closest_point.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 
 #include <algorithm>
 #include <array>
@@ -27,11 +24,6 @@ namespace internal {
 // jump to another sheet; the tree finds where to start and takes over when the walk is lost.
 class Reference_surface
 {
-  using Triangle = Core_kernel::Triangle_3;
-  using Iterator = std::vector<Triangle>::const_iterator;
-  using Primitive = CGAL::AABB_triangle_primitive<Core_kernel, Iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Core_kernel, Primitive>>;
-
 public:
   Reference_surface() = default;
 
@@ -72,11 +64,10 @@ public:
 private:
   Vec locate(const Vec& p, Index& t) const
   {
-    build_tree();
-    const Core_kernel::Point_3 q(p.x(), p.y(), p.z());
-    const auto found = tree_->closest_point_and_primitive(q);
-    t = Index(found.second - soup_->begin());
-    return Vec(found.first.x(), found.first.y(), found.first.z());
+    if(!tree_) build_tree();
+    const Triangle_tree::Nearest found = tree_->nearest(p);
+    t = Index(found.triangle);
+    return found.point;
   }
 
   Vec walk(const Vec& p, Index& t) const
@@ -173,16 +164,14 @@ private:
 
   void build_tree() const
   {
-    if(tree_) return;
-    soup_ = std::make_shared<std::vector<Triangle>>();
-    soup_->reserve(triangles_.size());
+    std::vector<Core_kernel::Triangle_3> soup;
+    soup.reserve(triangles_.size());
     const auto pt = [](const Vec& v) { return Core_kernel::Point_3(v.x(), v.y(), v.z()); };
     for(std::size_t t = 0; t < triangles_.size(); ++t) {
       const auto c = triangle(Index(t));
-      soup_->emplace_back(pt(c[0]), pt(c[1]), pt(c[2]));
+      soup.emplace_back(pt(c[0]), pt(c[1]), pt(c[2]));
     }
-    tree_ = std::make_shared<Tree>(soup_->cbegin(), soup_->cend());
-    tree_->accelerate_distance_queries();
+    tree_ = std::make_shared<Triangle_tree>(std::move(soup));
   }
 
   std::vector<Vec> points_;
@@ -190,8 +179,7 @@ private:
   std::vector<Vec> normals_;
   bool planar_ = false;
   Vec plane_normal_ = Vec(0, 0, 1), plane_point_ = Vec(0, 0, 0);
-  mutable std::shared_ptr<std::vector<Triangle>> soup_;
-  mutable std::shared_ptr<Tree> tree_; // built at the first question only
+  mutable std::shared_ptr<Triangle_tree> tree_; // built at the first question only
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/reference_curves.h>
+#include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <cmath>
 #include <string>
@@ -18,7 +19,7 @@ namespace internal {
 
 struct Feature_options
 {
-  double feature_angle = 50; // degrees, see parameters.h
+  double feature_angle = default_feature_angle; // degrees
 };
 
 // Finds border, creases, corners and curves of the input and puts every node on its carrier.
