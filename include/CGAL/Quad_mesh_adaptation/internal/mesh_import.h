@@ -61,6 +61,8 @@ public:
     in_region_ = get(CGAL::dynamic_face_property_t<bool>(), mesh_);
     for(vertex_descriptor v : vertices(mesh_)) put(number_of_, v, -1);
     if(is_region) {
+      fan_number_ = get(CGAL::dynamic_halfedge_property_t<Index>(), mesh_);
+      for(halfedge_descriptor h : halfedges(mesh_)) put(fan_number_, h, -1);
       for(face_descriptor f : faces(mesh_)) put(in_region_, f, false);
       for(face_descriptor f : chosen) put(in_region_, f, true);
     }
@@ -69,7 +71,9 @@ public:
       if(!is_region || get(in_region_, f)) add_face(f, position, is_region, in, out);
       ++position;
     }
-    if(in.quads.empty()) throw Refused{ Refusal::empty_mesh, "the mesh has no faces", -1 };
+    if(in.quads.empty()) throw Refused{ Refusal::empty_mesh,
+                                      is_region ? "the region has no faces" : "the mesh has no faces",
+                                      -1 };
   }
 
 private:
@@ -91,9 +95,8 @@ private:
     Quad q;
     halfedge_descriptor h = h0;
     for(int i = 0; i < 4; ++i, h = next(h, mesh_)) {
-      q[i] = number(source(h, mesh_), in, out);
-      const halfedge_descriptor o = opposite(h, mesh_);
-      const bool frozen = is_region && !is_border(o, mesh_) && !get(in_region_, face(o, mesh_));
+      q[i] = is_region ? number_in_region(h, in, out) : number(source(h, mesh_), in, out);
+      const bool frozen = is_region && leaves_region(h);
       in.is_frozen.push_back(frozen);
       in.is_constrained.push_back(get(ecm_, edge(h, mesh_)) || frozen);
     }
@@ -103,6 +106,47 @@ private:
     for(int i = 0; i < 4; ++i)
       if(in.is_frozen[4 * in.quads.size() - 4 + i])
         in.is_frozen_vertex[q[i]] = in.is_frozen_vertex[q[(i + 1) & 3]] = 1;
+  }
+
+  // Where parts of the region meet in a vertex only, each part has its own number for it: the
+  // vertex stays as it is, and the parts know nothing of each other.
+  Index number_in_region(halfedge_descriptor h, Input_mesh& in, Mesh_descriptors<QuadMesh>& out)
+  {
+    const halfedge_descriptor first = end_of_fan(
+        h, [&](halfedge_descriptor g) { return opposite(prev(g, mesh_), mesh_); });
+    const halfedge_descriptor last = end_of_fan(
+        h, [&](halfedge_descriptor g) { return next(opposite(g, mesh_), mesh_); });
+    const vertex_descriptor v = source(h, mesh_);
+    const halfedge_descriptor null = Traits::null_halfedge();
+    if(first == null || (!leaves_region(prev(first, mesh_)) && !leaves_region(last)))
+      return number(v, in, out); // all of it, or from border to border of the mesh
+    if(get(fan_number_, first) < 0) {
+      put(number_of_, v, -1);
+      put(fan_number_, first, number(v, in, out));
+    }
+    return get(fan_number_, first);
+  }
+
+  // The last half-edge about source(h) with a face of the region, turning by `turn`; null if the
+  // turn is full.
+  template <typename Turn>
+  halfedge_descriptor end_of_fan(halfedge_descriptor h, const Turn& turn) const
+  {
+    const auto in_region = [&](halfedge_descriptor g) {
+      return !is_border(g, mesh_) && get(in_region_, face(g, mesh_));
+    };
+    halfedge_descriptor end = h;
+    for(halfedge_descriptor g = turn(h); in_region(g); g = turn(g)) {
+      if(g == h) return Traits::null_halfedge();
+      end = g;
+    }
+    return end;
+  }
+
+  bool leaves_region(halfedge_descriptor h) const
+  {
+    const halfedge_descriptor o = opposite(h, mesh_);
+    return !is_border(o, mesh_) && !get(in_region_, face(o, mesh_));
   }
 
   Index number(vertex_descriptor v, Input_mesh& in, Mesh_descriptors<QuadMesh>& out)
@@ -152,6 +196,8 @@ private:
   VertexConstrainedMap vcm_;
   typename boost::property_map<QuadMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type
       number_of_;
+  typename boost::property_map<QuadMesh, CGAL::dynamic_halfedge_property_t<Index>>::const_type
+      fan_number_; // by the first half-edge of a fan
   typename boost::property_map<QuadMesh, CGAL::dynamic_face_property_t<bool>>::const_type
       in_region_;
 };
