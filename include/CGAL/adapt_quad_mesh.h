@@ -76,7 +76,7 @@ Roundtable, 2009), section 3.3, runs step by step.
   - `number_of_iterations(n)`: the most passes of refinement; default 40;
   - `visitor(v)`, see `Adaptation_visitor`; `callback(f)`: `bool f(double)` is told the progress
     from 0 to 1 and cancels by returning `false`;
-  - `schedule()`, `feature_angle()`, `reference_surface()`: see parameters.h.
+  - `schedule()`, `aim()`, `feature_angle()`, `reference_surface()`: see parameters.h.
 
 \returns a report; see `Adaptation_status` for how the call ended.  Faces, edges and vertices that
   did not have to change keep their descriptors; removed ones are marked as such in a

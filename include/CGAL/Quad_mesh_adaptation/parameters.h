@@ -20,6 +20,13 @@ enum class Schedule
   paper        ///< section 3.3 of Anderson, Benzley and Owen (2009), step by step
 };
 
+/// What to pursue between too large and too small.
+enum class Aim
+{
+  not_larger, ///< the default: no face larger than asked, with as few faces as that takes
+  nearest     ///< faces as near as possible to their size, for those who want the count right
+};
+
 // The package's own named parameters.  CGAL's chain members are generated inside CGAL, so each
 // of these is a free function that starts a chain, or takes the rest of the chain as second
 // argument: `schedule(Schedule::paper).number_of_iterations(9)`, `feature_angle(40, np)`.
@@ -31,6 +38,10 @@ enum schedule_t
 enum feature_angle_t
 {
   feature_angle_tag
+};
+enum aim_t
+{
+  aim_tag
 };
 enum reference_surface_t
 {
@@ -46,6 +57,18 @@ template <typename NP>
 Named_function_parameters<Schedule, schedule_t, NP> schedule(Schedule s, const NP& np)
 {
   return Named_function_parameters<Schedule, schedule_t, NP>(s, np);
+}
+
+/// What the default schedule pursues; default `Aim::not_larger`.  With `Aim::nearest` size ratios
+/// lie around one, and the sizes count as met when no face is more than sqrt(2) times its size.
+inline Named_function_parameters<Aim, aim_t> aim(Aim a)
+{
+  return Named_function_parameters<Aim, aim_t>(a);
+}
+template <typename NP>
+Named_function_parameters<Aim, aim_t, NP> aim(Aim a, const NP& np)
+{
+  return Named_function_parameters<Aim, aim_t, NP>(a, np);
 }
 
 /// Degrees, see `feature_angle()`.

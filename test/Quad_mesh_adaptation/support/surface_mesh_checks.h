@@ -6,8 +6,13 @@
 
 #include "mesh_checks.h"
 
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace mesh_checks {

@@ -40,7 +40,12 @@ public:
 
   bool is_constant() const { return constant_ > 0; }
 
-  double at(const Vec& p) const
+  // From now on, everything works against `factor` times the size that was given.
+  void scale_by(double factor) { scale_ = factor; }
+
+  double at(const Vec& p) const { return scale_ * unscaled(p); }
+
+  double unscaled(const Vec& p) const
   {
     if(constant_ > 0) return constant_;
     const double h = function_(p);
@@ -51,7 +56,7 @@ public:
   // Wanted edge length of the bilinear face p.
   double at_face(const std::array<Vec, 4>& p) const
   {
-    if(constant_ > 0) return constant_;
+    if(constant_ > 0) return scale_ * constant_;
     const Vec c = 0.25 * (p[0] + p[1] + p[2] + p[3]);
     const double centre = at(c);
     if(sampling == Size_sampling::centre) return centre;
@@ -69,7 +74,7 @@ public:
 
 private:
   Size_function function_;
-  double constant_ = 0;
+  double constant_ = 0, scale_ = 1;
 };
 
 } // namespace internal

@@ -88,7 +88,7 @@ struct Energy_weights
   double face = 1;        // what a face costs
   double shape = 0.5;     // times the mean corner cost
   double oversize = 4;    // faces larger than wanted
-  double valence = 1;     // irregular nodes
+  double valence = 1.25;  // irregular nodes
   double tolerated = 1;   // size ratio above which a face is too large
   double min_gain = 1e-3; // every accepted operation lowers E by at least this
 

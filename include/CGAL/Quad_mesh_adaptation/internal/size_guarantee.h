@@ -17,11 +17,11 @@ namespace internal {
 // Largest size ratio that counts as "not larger".
 constexpr double size_tolerance = 1 + 1e-9;
 
-inline std::vector<Index> faces_too_large(const Adaptation_state& s)
+inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limit = size_tolerance)
 {
   std::vector<Index> list;
   for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && s.size_ratio(f) > size_tolerance) list.push_back(f);
+    if(s.mesh.is_face(f) && s.size_ratio(f) > limit) list.push_back(f);
   return list;
 }
 

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DECODE_PARAMETERS_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DECODE_PARAMETERS_H
+
+#include <CGAL/Quad_mesh_adaptation/Adaptation_visitor.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Phase_clock.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
+#include <CGAL/Quad_mesh_adaptation/parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// The caller's sizing, a number or a callable on points, as the core's function.
+template <typename Point, typename SizingField>
+Size_sampler make_sampler(const SizingField& sizing)
+{
+  if constexpr(std::is_arithmetic_v<SizingField>) {
+    const double h = double(sizing);
+    if(!(std::isfinite(h) && h > 0)) throw Bad_size{ Vec(0, 0, 0), h };
+    return Size_sampler([h](const Vec&) { return h; }, h);
+  } else {
+    return Size_sampler(
+        [&sizing](const Vec& p) { return CGAL::to_double(sizing(Point(p.x(), p.y(), p.z()))); }, 0);
+  }
+}
+
+inline std::string describe(const Bad_size& e)
+{
+  std::ostringstream text;
+  text << "the size at (" << e.where.x() << ", " << e.where.y() << ", " << e.where.z() << ") is "
+       << e.value << ", not a positive finite number";
+  return text.str();
+}
+
+// Plain values of all named parameters, decoded once.
+template <typename QuadMesh, typename NamedParameters>
+struct Decoded_parameters
+{
+  using Vpm = typename CGAL::GetVertexPointMap<QuadMesh, NamedParameters>::type;
+  using Point = typename boost::property_traits<Vpm>::value_type;
+  using Edge = typename boost::graph_traits<QuadMesh>::edge_descriptor;
+  using Vertex = typename boost::graph_traits<QuadMesh>::vertex_descriptor;
+
+  static Vpm vertex_point_map(QuadMesh& mesh, const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                        get_property_map(CGAL::vertex_point, mesh));
+  }
+  static auto edge_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::edge_is_constrained), No_constraints<Edge>());
+  }
+  static auto vertex_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::vertex_is_constrained),
+        No_constraints<Vertex>());
+  }
+};
+
+template <typename NamedParameters>
+std::optional<Triangle_soup> decode_reference(const NamedParameters& np)
+{
+  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters, reference_surface_t>::value)
+    return std::nullopt;
+  else
+    return import_reference(parameters::get_parameter(np, reference_surface_tag).get());
+}
+
+template <typename T>
+T& unwrap(T& t)
+{
+  return t;
+}
+template <typename T>
+T& unwrap(std::reference_wrapper<T>& t)
+{
+  return t.get();
+}
+
+// Connects visitor and callback of the caller to the state.
+template <typename NamedParameters>
+void observe(const NamedParameters& np, Adaptation_state& s, Phase_clock& clock)
+{
+  auto given = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                            Adaptation_visitor());
+  auto visitor = std::make_shared<decltype(given)>(given);
+  const std::function<bool(double)> callback = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  s.report_progress = [visitor, callback](double progress) {
+    if(!unwrap(*visitor).go_further() || (callback && !callback(progress))) throw Cancelled();
+  };
+  s.start_phase = [visitor, &clock](const char* name, std::size_t iteration) {
+    clock.start(name);
+    unwrap(*visitor).start_phase(name, iteration);
+  };
+  s.end_phase = [visitor, &clock](const char* name, std::size_t faces) {
+    clock.stop(name);
+    unwrap(*visitor).end_phase(name, faces);
+  };
+}
+
+template <typename NamedParameters>
+bool is_paper_schedule(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, schedule_tag),
+                                      Schedule::progressive) == Schedule::paper;
+}
+
+template <typename NamedParameters>
+Aim decode_aim(const NamedParameters& np)
+{
+  if(is_paper_schedule(np)) return Aim::not_larger;
+  return parameters::choose_parameter(parameters::get_parameter(np, aim_tag), Aim::not_larger);
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DECODE_PARAMETERS_H

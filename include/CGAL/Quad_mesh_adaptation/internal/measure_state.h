@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_STATE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_STATE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+inline std::vector<Triangle> corner_points(const Triangle_soup& soup)
+{
+  std::vector<Triangle> list;
+  list.reserve(soup.triangles.size());
+  for(const auto& t : soup.triangles)
+    list.push_back({ soup.points[t[0]], soup.points[t[1]], soup.points[t[2]] });
+  return list;
+}
+
+inline Mesh_measures measure_state(const Adaptation_state& s,
+                                   const std::optional<Triangle_soup>& reference)
+{
+  std::vector<Vec> points(s.mesh.vertex_end(), Vec(0, 0, 0));
+  std::vector<Quad> quads;
+  double far = 0;
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
+    if(!s.mesh.is_vertex(v)) continue;
+    points[v] = s.mesh.point(v);
+    Index hint = s.mesh.vertex(v).hint;
+    far = (std::max)(far, distance(points[v], s.surface.project(points[v], hint)));
+  }
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) quads.push_back(s.mesh.quad(f));
+  const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
+  Mesh_measures m;
+  if(reference) {
+    const std::vector<Triangle> triangles = corner_points(*reference);
+    m = measure(points, quads, size, &triangles);
+  } else {
+    m = measure(points, quads, size);
+  }
+  m.max_distance_to_reference = far;
+  return m;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_STATE_H

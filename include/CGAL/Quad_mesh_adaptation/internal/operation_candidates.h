@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/operators/border_half_ring.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/face_open.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/quad_insertion.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/vertex_rotation.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+struct Improvement_options
+{
+  bool close = true, open = true, swap = true, rotate = true, border = true;
+  int max_valence = 5;           // of inner nodes, unless it was higher before
+  bool keep_within_size = false; // no operation may leave a face above its size
+  double min_jacobian = 0.5;     // no face may fall below min(this, worst before)
+  int sweeps = 2;                // of the local relaxation
+  double halo_below = 2; // try again with more nodes free to move where this close to a gain
+};
+
+enum class Operation_kind
+{
+  close,
+  open,
+  swap_left,
+  swap_right,
+  rotate,
+  border_collapse,
+  border_split,
+  insertion
+};
+
+inline const char* operation_name(Operation_kind k)
+{
+  switch(k) {
+  case Operation_kind::close:
+    return "face close";
+  case Operation_kind::open:
+    return "face open";
+  case Operation_kind::rotate:
+    return "vertex rotation";
+  case Operation_kind::border_collapse:
+    return "half-ring collapse";
+  case Operation_kind::border_split:
+    return "border split";
+  case Operation_kind::insertion:
+    return "quad insertion";
+  default:
+    return "edge swap";
+  }
+}
+
+struct Operation_candidate
+{
+  Operation_kind kind;
+  Index h, g;
+  double bound; // of the change of energy: no outcome can be lower
+};
+
+// Lists what could be done about a node, with an O(1) bound on the gain of each, so that most of it
+// is dropped before geometry is touched.
+class Operation_candidates
+{
+public:
+  Operation_candidates(Adaptation_state& s, const Improvement_options& o) : s_(s), options_(o) {}
+
+  // The operations about node v that may lower the energy, the most promising first.
+  const std::vector<Operation_candidate>& collect(Index v)
+  {
+    candidates_.clear();
+    s_.mesh.outgoing(v, out_);
+    if(options_.close) collect_closes();
+    if(options_.open) collect_opens(v);
+    if(options_.swap) collect_swaps(v);
+    if(options_.rotate) collect_rotation(v);
+    if(options_.border && find_border_pair(s_.mesh, v, pair_)) collect_border();
+    if(options_.open && out_.size() == 1) collect_insertion(v);
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Operation_candidate& a, const Operation_candidate& b) {
+                       return a.bound < b.bound;
+                     });
+    return candidates_;
+  }
+
+  // Fills the cavity of a candidate of the node collected last.
+  void describe(const Operation_candidate& c, Cavity& cavity)
+  {
+    switch(c.kind) {
+    case Operation_kind::close:
+      describe_face_close(s_, c.h, cavity);
+      break;
+    case Operation_kind::open:
+      describe_face_open(s_, c.h, c.g, cavity);
+      break;
+    case Operation_kind::swap_left:
+      describe_edge_swap(s_, c.h, true, cavity);
+      break;
+    case Operation_kind::swap_right:
+      describe_edge_swap(s_, c.h, false, cavity);
+      break;
+    case Operation_kind::rotate:
+      describe_vertex_rotation(s_, c.h, cavity);
+      break;
+    case Operation_kind::border_collapse:
+      describe_half_ring_collapse(s_, pair_, cavity);
+      break;
+    case Operation_kind::border_split:
+      describe_border_split(s_, pair_, cavity);
+      break;
+    case Operation_kind::insertion:
+      describe_quad_insertion(s_, c.h, cavity);
+      break;
+    }
+  }
+
+private:
+  // Change of the valence term if v gets d more faces.
+  double valence_change(Index v, int d) const
+  {
+    const Vertex_record& r = s_.mesh.vertex(v);
+    if(d == -1 && r.faces == 3 && r.carrier == Carrier::surface) // goes as a doublet
+      return -s_.valence_energy(3, r) - s_.energy.face - 2 * s_.energy.valence;
+    if(d > 0 && !s_.mesh.is_border_vertex(v) && r.faces + d > options_.max_valence) return 1e6;
+    return s_.valence_energy(r.faces + d, r) - s_.valence_energy(r.faces, r);
+  }
+
+  // What the shapes and sizes of the star of v cost above the bare faces.
+  double slack(Index v)
+  {
+    double sum = 0;
+    const Index start = s_.mesh.vertex(v).halfedge;
+    Index h = start;
+    do {
+      sum += s_.cached_energy(s_.mesh.face(h)) - s_.energy.face;
+      h = s_.mesh.turn_left(h);
+    } while(h >= 0 && h != start);
+    return sum;
+  }
+
+  void add(Operation_kind k, Index h, Index g, double bound)
+  {
+    if(bound < -s_.energy.min_gain) candidates_.push_back({ k, h, g, bound });
+  }
+
+  void collect_closes()
+  {
+    const Quad_complex& m = s_.mesh;
+    for(Index h : out_) {
+      const Index n = Quad_complex::next(h);
+      const Index a = m.origin(h), b = m.target(h), c = m.target(n), e = m.origin(m.prev(h));
+      const bool a_wins = carrier_rank(m.vertex(a)) >= carrier_rank(m.vertex(c));
+      const Index w = a_wins ? a : c, l = a_wins ? c : a;
+      double bound = -s_.energy.face + valence_change(w, m.vertex(l).faces - 2) -
+                     s_.valence_energy(m.vertex(l).faces, m.vertex(l)) + valence_change(b, -1) +
+                     valence_change(e, -1);
+      if(bound > 1e5) continue;
+      bound -= slack(a) + slack(c) - (s_.cached_energy(m.face(h)) - s_.energy.face);
+      if(bound < -s_.energy.min_gain && is_face_close_allowed(s_, h))
+        add(Operation_kind::close, h, -1, bound);
+    }
+  }
+
+  void collect_opens(Index v)
+  {
+    const Quad_complex& m = s_.mesh;
+    const int n = int(out_.size());
+    if(n < 3) return;
+    const bool border = m.is_border_vertex(v);
+    const double base = s_.energy.face - slack(v);
+    for(int i = 0; i < n; ++i)
+      for(int sector = 2; sector < n; ++sector) {            // faces that the new node takes
+        if(border ? i + sector >= n : sector > n - 2) break; // v keeps three faces, too
+        const Index ha = out_[i], hb = out_[(i + sector) % n];
+        const int fresh = sector + 1 - 4;
+        const double bound = base + s_.energy.valence * fresh * fresh +
+                             valence_change(v, 1 - sector) + valence_change(m.target(ha), 1) +
+                             valence_change(m.target(hb), 1);
+        if(bound < -s_.energy.min_gain && is_face_open_allowed(s_, ha, hb))
+          add(Operation_kind::open, ha, hb, bound);
+      }
+  }
+
+  void collect_swaps(Index v)
+  {
+    const Quad_complex& m = s_.mesh;
+    for(Index h : out_) {
+      if(!is_edge_swap_allowed(s_, h)) continue;
+      const Index o = m.opposite(h), u = m.target(h);
+      const double base =
+          valence_change(v, -1) + valence_change(u, -1) -
+          (s_.cached_energy(m.face(h)) + s_.cached_energy(m.face(o)) - 2 * s_.energy.face);
+      const Index x1 = m.target(m.next(h)), y1 = m.origin(m.prev(h));
+      const Index x2 = m.target(m.next(o)), y2 = m.origin(m.prev(o));
+      add(Operation_kind::swap_left, h, -1, base + valence_change(x1, 1) + valence_change(x2, 1));
+      add(Operation_kind::swap_right, h, -1, base + valence_change(y1, 1) + valence_change(y2, 1));
+    }
+  }
+
+  void collect_rotation(Index v)
+  {
+    const Quad_complex& m = s_.mesh;
+    if(m.is_border_vertex(v)) return;
+    double bound = -slack(v);
+    for(Index h : out_)
+      bound += valence_change(m.target(h), -1) + valence_change(m.target(m.next(h)), 1);
+    if(bound < -s_.energy.min_gain && is_vertex_rotation_allowed(s_, v))
+      add(Operation_kind::rotate, v, -1, bound);
+  }
+
+  void collect_border()
+  {
+    const Quad_complex& m = s_.mesh;
+    const Border_pair& b = pair_;
+    const double ends = s_.cached_energy(m.face(b.left)) + s_.cached_energy(m.face(b.right));
+    const double split = 6 * s_.energy.face + 2 * s_.energy.valence + valence_change(b.p, 1) +
+                         valence_change(b.q, 1) - ends;
+    if(split < -s_.energy.min_gain && is_border_split_allowed(s_, b))
+      add(Operation_kind::border_split, b.v, -1, split);
+    if(!is_half_ring_collapse_allowed(s_, b)) return;
+    const auto own = [&](Index u) { return s_.valence_energy(m.vertex(u).faces, m.vertex(u)); };
+    const bool corner = carrier_rank(m.vertex(b.a)) > 1 || carrier_rank(m.vertex(b.c)) > 1;
+    const Index keep = carrier_rank(m.vertex(b.a)) > 1   ? b.a
+                       : carrier_rank(m.vertex(b.c)) > 1 ? b.c
+                                                         : b.v;
+    const int faces = m.vertex(b.a).faces + m.vertex(b.c).faces + m.vertex(b.m).faces - 4;
+    double collapse = -2 * s_.energy.face + s_.valence_energy(faces, m.vertex(keep)) - own(b.a) -
+                      own(b.c) - own(b.m) - (corner ? 0. : own(b.v)) + valence_change(b.p, -1) +
+                      valence_change(b.q, -1);
+    collapse -= slack(b.a) + slack(b.c) + slack(b.m) - (ends - 2 * s_.energy.face);
+    if(faces <= options_.max_valence) add(Operation_kind::border_collapse, b.v, -1, collapse);
+  }
+
+  // A border node with one flat face, which is no corner.
+  void collect_insertion(Index v)
+  {
+    if(s_.mesh.vertex(v).ideal_faces < 2) return;
+    const Index f = s_.mesh.face(out_[0]);
+    double bound = 4 * (s_.energy.face + s_.energy.valence) - slack(v);
+    for(Index u : s_.mesh.quad(f)) bound += valence_change(u, 1);
+    if(is_quad_insertion_allowed(s_, f)) add(Operation_kind::insertion, f, -1, bound);
+  }
+
+  Adaptation_state& s_;
+  const Improvement_options& options_;
+  Border_pair pair_;
+  std::vector<Operation_candidate> candidates_;
+  std::vector<Index> out_;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
