@@ -96,24 +96,30 @@ inline std::size_t split_too_large(Adaptation_state& s, const std::vector<Index>
   return split.empty() ? 0 : Split_templates(s, split)();
 }
 
+inline void smooth_near(Adaptation_state& s, const std::vector<Index>& faces)
+{
+  const std::vector<char> near = nodes_around(s, faces, 3);
+  for(Index v = 0; v < Index(near.size()); ++v)
+    if(near[v]) s.disturb(v);
+  smooth(s, 6);
+}
+
 // Presses on the faces that are too large, and on nothing else: smoothing with a hinge on the
 // size, and local operations under a heavier weight for oversize, about them and two rings
 // around.  No operation may leave a face above its size that was not.
 inline void press_down(Adaptation_state& s, const Improvement_options& o,
                        const std::vector<Index>& large)
 {
-  std::vector<char> near = nodes_around(s, large, 3);
-  smooth(s, 6, &near);
+  smooth_near(s, large);
   const std::vector<Index> left = faces_to_press(s);
   if(left.empty()) return;
   Local_improvement improvement(s, o);
-  near = nodes_around(s, left, 2);
+  const std::vector<char> near = nodes_around(s, left, 2);
   for(Index v = 0; v < Index(near.size()); ++v)
     if(near[v]) improvement.activate(v);
   for(int pass = 0; pass < 4; ++pass)
     if(improvement.pass() == 0) break;
-  near = nodes_around(s, faces_to_press(s), 3);
-  smooth(s, 6, &near);
+  smooth_near(s, faces_to_press(s));
 }
 
 // What pressure and splits have spoiled is mended without giving up a size that is met: clean-up
@@ -122,6 +128,7 @@ inline void settle(Adaptation_state& s, Improvement_options o, int rounds)
 {
   o.keep_within_size = true;
   s.smoothing.keep_within_size = true;
+  s.disturb_all();
   for(int round = 0; round < rounds; ++round) {
     smooth(s, 4);
     Local_improvement improvement(s, o);

@@ -37,7 +37,8 @@ inline void gather_star(const Adaptation_state& s, Index v, std::vector<Star_fac
   } while(h >= 0 && h != start);
 }
 
-// Moves node v to a better place on its carrier; tells whether it did.
+// Moves node v to a better place on its carrier; tells whether it moved far enough for its
+// neighbours to notice.
 inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
 {
   Vertex_record& r = s.mesh.vertex(v);
@@ -54,39 +55,41 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
     s.forget_energy(s.mesh.face(h));
     h = s.mesh.turn_left(h);
   } while(h >= 0 && h != r.halfedge);
-  return true;
+  const double edge = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
+  return distance(r.p, old.p) > 2e-3 * edge;
 }
 
-// Marks the nodes of all faces about v.
-inline void mark_around(const Quad_complex& m, Index v, std::vector<char>& marks)
+// The nodes of all faces about v are worth a visit.
+inline void disturb_around(Adaptation_state& s, Index v)
 {
-  const Index start = m.vertex(v).halfedge;
+  const Index start = s.mesh.vertex(v).halfedge;
   Index h = start;
   do {
-    for(Index u : m.quad(m.face(h))) marks[u] = 1;
-    h = m.turn_left(h);
+    for(Index u : s.mesh.quad(s.mesh.face(h))) s.disturb(u);
+    h = s.mesh.turn_left(h);
   } while(h >= 0 && h != start);
 }
 
-// Size-aware smoothing: at most `sweeps` rounds over the nodes in a fixed order, each moved to a
-// better place on its carrier.  The first round visits all nodes, or those marked in `start`; later
-// rounds those near which something moved.  Returns the number of moves.
-inline std::size_t smooth(Adaptation_state& s, int sweeps, const std::vector<char>* start = nullptr)
+// Size-aware smoothing: at most `sweeps` rounds, in a fixed order, over the nodes about which
+// something changed, each moved to a better place on its carrier.  Those that still moved in the
+// last round are left for the next call.  Returns the number of moves.
+inline std::size_t smooth(Adaptation_state& s, int sweeps)
 {
   Node_relaxation relax(s);
-  std::vector<char> now = start ? *start : std::vector<char>(s.mesh.vertex_end(), 1), next;
   std::size_t moves = 0;
   for(int sweep = 0; sweep < sweeps; ++sweep) {
     s.check_cancelled();
-    next.assign(now.size(), 0);
+    std::vector<char> now;
+    now.swap(s.restless);
+    now.resize(s.mesh.vertex_end(), 1);
+    s.restless.assign(now.size(), 0);
     std::size_t moved = 0;
     for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
       if(!now[v] || !s.mesh.is_vertex(v) || !move_node(s, v, relax)) continue;
-      mark_around(s.mesh, v, next);
+      disturb_around(s, v);
       ++moved;
     }
     moves += moved;
-    now.swap(next);
     if(moved == 0) break;
   }
   return moves;
