@@ -31,9 +31,13 @@ struct Local_model
   double H[3] = { 0, 0, 0 }; // xx, xy, yy
 };
 
+struct Node_relaxation_access; // for the tests of the derivatives
+
 // Best position of one node with its neighbours held: damped Newton on shape and size.
 class Node_relaxation
 {
+  friend struct Node_relaxation_access;
+
 public:
   explicit Node_relaxation(const Adaptation_state& state) : s_(state) {}
 

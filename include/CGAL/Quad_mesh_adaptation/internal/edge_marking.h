@@ -65,7 +65,8 @@ inline std::vector<char> even_marks(const Quad_complex& m, const std::vector<dou
   if(!join.is_feasible) {
     if(infeasible)
       for(const auto& component : join.obstructions)
-        for(Index v : component) infeasible->push_back(v / 2);
+        for(Index v : component)
+          if(v < Index(n)) infeasible->push_back(v / 2); // the outer vertex is no face
     return {};
   }
   for(std::size_t i = 0; i < edges.size(); ++i) {

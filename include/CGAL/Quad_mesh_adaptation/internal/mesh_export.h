@@ -201,7 +201,7 @@ private:
       if(!is_true_border(h)) continue;
       const halfedge_descriptor b = opposite(halfedge_of_[h], mesh_);
       const Index u = m_.origin(h), v = m_.target(h);
-      if(changed_[m_.face(h)]) set_face(b, Traits::null_face(), mesh_);
+      set_face(b, Traits::null_face(), mesh_); // also beside a face that did not change
       if(entering[u] >= 0)
         set_next(b, opposite(halfedge_of_[entering[u]], mesh_), mesh_);
       else if(lookup(border_after_, u) != null())

@@ -16,6 +16,24 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// Eq. 4: faces below it are too small; from the sixth iteration on it is gone.
+inline double coarsening_threshold(std::size_t n)
+{
+  return (std::max)(0., 1.0 - 0.2 * double(n));
+}
+
+// Eq. 5: parts high-refine from low-refine faces, down to 1.
+inline double refinement_threshold(std::size_t n)
+{
+  return (std::max)(1.0, 1.25 - 0.05 * double(n));
+}
+
+// Fewer than 10 % of the faces below the threshold: coarsening is complete, for good.
+inline bool is_coarsening_needed(const Adaptation_state& s, double threshold)
+{
+  return threshold > 0 && fraction_below(s, threshold) >= 0.10;
+}
+
 // How many faces the paper calls high-refine and low-refine.
 struct Refine_classes
 {
@@ -32,6 +50,13 @@ inline Refine_classes classify_faces(const Adaptation_state& s, double threshold
     if(r > 1 + 1e-9) (r > threshold ? c.high : c.low).push_back(f);
   }
   return c;
+}
+
+// Fewer than 3 % low-refine and 0.5 % high-refine faces.
+inline bool is_refinement_sufficient(const Refine_classes& c, Index number_of_faces)
+{
+  const double all = double(number_of_faces);
+  return double(c.low.size()) < 0.03 * all && double(c.high.size()) < 0.005 * all;
 }
 
 // 2-refinement of whole faces: all their edges are split, and the transition templates around
@@ -70,14 +95,13 @@ inline void paper_schedule(Adaptation_state& s, std::size_t max_iterations)
   for(std::size_t n = 0; n < (std::min)(max_iterations, std::size_t(25)); ++n) { // step 6
     ++s.iterations;
     s.progress = (std::min)(0.95, 0.15 * double(n));
-    const double t_c = 1.0 - 0.2 * double(n), t_r = (std::max)(1.0, 1.25 - 0.05 * double(n));
-    if(coarsening && t_c > 0 && fraction_below(s, t_c) >= 0.10) // step 3
+    const double t_c = coarsening_threshold(n), t_r = refinement_threshold(n);
+    if(coarsening && is_coarsening_needed(s, t_c)) // step 3
       coarsen_by_rings(s, t_c, clean);
     else
       coarsening = false;
     const Refine_classes classes = classify_faces(s, t_r);
-    const double all = double(s.mesh.number_of_faces());
-    if(double(classes.low.size()) < 0.03 * all && double(classes.high.size()) < 0.005 * all) {
+    if(is_refinement_sufficient(classes, s.mesh.number_of_faces())) {
       if(!coarsening) break;
       continue;
     }

@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SPLIT_TEMPLATES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SPLIT_TEMPLATES_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <cmath>
 #include <vector>
@@ -35,16 +35,24 @@ inline Vertex_record inner_node(const Adaptation_state& s, const Vertex_record& 
 // Arc lengths of origin and target of h on its curve.
 inline void ends_on_curve(const Adaptation_state& s, Index h, double& su, double& sv)
 {
-  const Feature_curve& c = s.curves[s.mesh.curve(h)];
+  const Index curve = s.mesh.curve(h);
+  const Feature_curve& c = s.curves[curve];
   const Index u = s.mesh.origin(h), v = s.mesh.target(h);
-  const Vertex_record &ru = s.mesh.vertex(u), &rv = s.mesh.vertex(v);
-  const bool cu = ru.carrier == Carrier::curve, cv = rv.carrier == Carrier::curve;
-  const auto corner = [&](Index w, bool other_is_node, double other) {
+  // corner w, next to x: on a loop it stands for both ends of the curve, and the way the curve
+  // goes on beyond x tells for which
+  const auto corner = [&](Index w, Index x) {
     if(c.first_corner != c.last_corner) return w == c.first_corner ? 0. : c.length();
-    return other_is_node && other > 0.5 * c.length() ? c.length() : 0.;
+    const Vertex_record& node = s.mesh.vertex(x);
+    for(Index y : curve_neighbours(s.mesh, x, curve))
+      if(y >= 0 && y != w) return s.mesh.vertex(y).param > node.param ? 0. : c.length();
+    return 0.;
   };
-  su = cu ? ru.param : corner(u, cv, rv.param);
-  sv = cv ? rv.param : corner(v, cu, ru.param);
+  const auto arc = [&](Index w, Index x) {
+    const Vertex_record& r = s.mesh.vertex(w);
+    return r.carrier == Carrier::curve ? r.param : corner(w, x);
+  };
+  su = arc(u, v);
+  sv = arc(v, u);
 }
 
 // The node that cuts the edge of h in two: the point that halves the integral of ds / h for a size

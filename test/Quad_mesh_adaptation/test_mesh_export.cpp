@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Writing a changed state back into the caller's graph.
+
+#include "support/places.h"
+
+#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace {
+
+namespace core = CGAL::Quad_mesh_adaptation::internal;
+using core::Adaptation_state;
+using core::Index;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using shape_zoo::Shape;
+
+// Imports, lets `change` work on the state, exports, and compares the graph with the state.
+template <typename M>
+void import_change_export(const Shape& shape, double feature_angle, const std::set<Index>& frozen,
+                          const std::function<void(Adaptation_state&)>& change)
+{
+  using Vertex = typename boost::graph_traits<M>::vertex_descriptor;
+  using Edge = typename boost::graph_traits<M>::edge_descriptor;
+  M mesh = zoo_mesh::make<M, Point>(shape);
+  auto vpm = get(CGAL::vertex_point, mesh);
+  const core::No_constraints<Edge> ecm{};
+  const core::No_constraints<Vertex> vcm{};
+  core::Input_mesh in;
+  core::Mesh_descriptors<M> descriptors;
+  core::Mesh_import<M, decltype(vpm), core::No_constraints<Edge>, core::No_constraints<Vertex>>
+      import(mesh, vpm, ecm, vcm);
+  import(faces(mesh), false, in, descriptors);
+  for(Index v = 0; v < Index(in.points.size()); ++v)
+    for(Index f : frozen) in.is_frozen_vertex[v] |= in.points[v] == shape.points[f];
+  Adaptation_state s;
+  s.size = core::Size_sampler([](const core::Vec&) { return 1.; }, 1.);
+  core::Feature_options features;
+  features.feature_angle = feature_angle;
+  core::State_builder(in, features, s)(nullptr);
+  change(s);
+  core::Mesh_export<M, decltype(vpm), core::No_constraints<Edge>> write(mesh, vpm, ecm, in,
+                                                                      descriptors, s);
+  write();
+
+  ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  const Shape after = zoo_mesh::shape_of(mesh);
+  const mesh_checks::Facts facts = mesh_checks::facts_of(after.points, after.quads);
+  EXPECT_EQ(facts.problem, "");
+  EXPECT_TRUE(mesh_checks::same_topology(mesh_checks::facts_of(shape.points, shape.quads), facts));
+  EXPECT_EQ(facts.faces, std::size_t(s.mesh.number_of_faces()));
+  std::multiset<std::vector<double>> written, wanted; // the faces by their points
+  const auto row = [](const std::vector<core::Vec>& p) { // from whichever corner comes first
+    std::vector<double> least;
+    for(std::size_t first = 0; first < 4; ++first) {
+      std::vector<double> r;
+      for(std::size_t i = 0; i < 4; ++i)
+        for(int k = 0; k < 3; ++k) r.push_back(p[(first + i) % 4][k]);
+      if(least.empty() || r < least) least = r;
+    }
+    return least;
+  };
+  for(const auto& q : after.quads)
+    written.insert(row({ after.points[q[0]], after.points[q[1]], after.points[q[2]],
+                         after.points[q[3]] }));
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) {
+      const core::Corners c = s.corners(f);
+      wanted.insert(row({ c[0], c[1], c[2], c[3] }));
+    }
+  EXPECT_TRUE(written == wanted);
+}
+
+// Random operations, whatever the shape of the faces.
+std::function<void(Adaptation_state&)> operations(unsigned seed, int n)
+{
+  return [=](Adaptation_state& s) {
+    std::mt19937 random(seed);
+    core::Cavity cavity(s);
+    for(int i = 0; i < n; ++i) {
+      const std::vector<places::Place> list = places::all_places(s);
+      if(list.empty() || s.mesh.number_of_faces() < 8) return;
+      list[random() % list.size()].describe(s, cavity);
+      if(cavity.close()) cavity.commit();
+    }
+  };
+}
+
+} // namespace
+
+TEST(Mesh_export, NothingChanged)
+{
+  for(const Shape& shape : shape_zoo::all())
+    import_change_export<Mesh>(shape, 40, {}, [](Adaptation_state&) {});
+}
+
+// The face under a bump keeps its four vertices while the bump goes: one of its edges comes to lie
+// on the border.
+TEST(Mesh_export, UnchangedFaceComesToTheBorder)
+{
+  Shape shape = shape_zoo::plate(3, 1);
+  const Index u = 5, v = 6; // (1, 1) and (2, 1)
+  const Index w = Index(shape.points.size());
+  shape.points.emplace_back(2, 2, 0);
+  shape.points.emplace_back(1, 2, 0);
+  shape.quads.push_back({ u, v, w, w + 1 });
+  const auto remove_bump = [](Adaptation_state& s) {
+    core::Chord chord = core::chord_through(s.mesh, 12);
+    if(chord.faces.size() > 1) chord = core::chord_through(s.mesh, 13); // the bump's own
+    ASSERT_EQ(chord.faces, std::vector<Index>{ 3 });
+    ASSERT_TRUE(core::is_chord_collapse_allowed(s, chord));
+    core::Cavity cavity(s);
+    core::describe_chord_collapse(s, chord, cavity);
+    ASSERT_TRUE(cavity.close());
+    cavity.commit();
+    ASSERT_EQ(s.mesh.number_of_faces(), 3);
+  };
+  import_change_export<Mesh>(shape, 100, { u, v }, remove_bump);
+  import_change_export<Polyhedron>(shape, 100, { u, v }, remove_bump);
+}
+
+TEST(Mesh_export, AfterRandomOperations)
+{
+  const unsigned seed = zoo_mesh::seed();
+  for(const Shape& shape : shape_zoo::all())
+    for(int n : { 1, 3, 12 })
+      for(double angle : { 40., 180. }) {
+        SCOPED_TRACE(shape.name + ", " + std::to_string(n) + " operations, angle " +
+                     std::to_string(angle) + ", QUAD_MESH_SEED=" + std::to_string(seed));
+        import_change_export<Mesh>(shape, angle, {}, operations(seed, n));
+        import_change_export<Polyhedron>(shape, angle, {}, operations(seed, n));
+      }
+}
