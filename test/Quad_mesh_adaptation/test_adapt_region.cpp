@@ -152,7 +152,9 @@ TEST(Adapt_region, RefinedOnSurfaceMesh)
     const Adaptation_report r =
         adapt_region<Mesh>(c.shape, c.inside, 0.4 * zoo_mesh::mean_edge(c.shape));
     // between four edges that must not be cut there is no way to refine
-    if(c.name.find("face") == std::string::npos) { EXPECT_GT(r.after.faces, r.before.faces); }
+    if(c.name.find("face") == std::string::npos) {
+      EXPECT_GT(r.after.faces, r.before.faces);
+    }
   }
 }
 
@@ -203,7 +205,8 @@ TEST(Adapt_region, FacesTooLargeAreNamed)
   for(auto f : mesh.faces()) {
     double sum = 0;
     for(auto e : mesh.halfedges_around_face(mesh.halfedge(f)))
-      sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(e)), mesh.point(mesh.target(e))));
+      sum +=
+          std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(e)), mesh.point(mesh.target(e))));
     if(outside.count(f) == 0 && sum > 4 * h * (1 + 1e-9)) large.push_back(position);
     ++position;
   }
@@ -295,6 +298,8 @@ TEST(Adapt_constrained, OwnPointMap)
   EXPECT_GT(report.after.faces, 100u);
   for(auto v : mesh.vertices()) {
     EXPECT_EQ(own[v].z(), 1);
-    if(std::size_t(v) < shape.points.size()) { EXPECT_EQ(mesh.point(v), Point(0, 0, 0)); }
+    if(std::size_t(v) < shape.points.size()) {
+      EXPECT_EQ(mesh.point(v), Point(0, 0, 0));
+    }
   }
 }

@@ -100,6 +100,16 @@ struct Adaptation_state
     return face_energy(corners(f), reference_normal(f), face_floor(f));
   }
 
+  // Nodes that smoothing should visit, because something about them changed.
+  std::vector<char> restless;
+
+  void disturb(Index v)
+  {
+    if(v >= Index(restless.size())) restless.resize(mesh.vertex_end(), 1);
+    restless[v] = 1;
+  }
+  void disturb_all() { restless.assign(mesh.vertex_end(), 1); }
+
   double cached_energy(Index f)
   {
     if(f >= Index(energy_cache.size()))

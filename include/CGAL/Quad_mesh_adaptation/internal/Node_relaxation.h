@@ -21,6 +21,7 @@ struct Star_face
   Vec reference;  // direction the face should show
   Vec grad_h;     // of the size, along the face; for the derivative only
   double floor = 0;
+  double target = 0; // wanted size where the node stands before it moves
 };
 
 // Value, gradient and Hessian in the (at most two) directions a node may move in.
@@ -44,11 +45,15 @@ public:
 
   // Moves r to a better place and tells whether it did.  No corner of the star gets worse than
   // the worst before, or than the floor (smoothing.min_corner).
-  bool operator()(Vertex_record& r) const
+  bool operator()(Vertex_record& r)
   {
     const int dofs = directions(r);
     if(dofs == 0) return false;
-    const Evaluation before = evaluate(r.p, r.normal);
+    const Smoothing_weights& w = s_.smoothing;
+    sized_ = w.size > 0 || w.hinge > 0 || w.keep_within_size;
+    if(sized_)
+      for(Star_face& f : star_) f.target = s_.target({ r.p, f.q1, f.q2, f.q3 }, f.floor);
+    const Evaluation before = evaluate(r.p, r.normal, true);
     Local_model m;
     for(const Star_face& f : star_) add_derivatives(r, f, dofs, m);
     double step[2] = { 0, 0 };
@@ -58,7 +63,18 @@ public:
 
   double objective(const Vertex_record& r) const { return evaluate(r.p, r.normal).value; }
 
+  // Moves shorter than this fraction of the edges are not worth a trial.
+  static constexpr double least_move = 5e-4;
+
 private:
+  static double integer_power(double x, int n)
+  {
+    double result = 1;
+    for(; n > 0; n >>= 1, x *= x)
+      if(n & 1) result *= x;
+    return result;
+  }
+
   struct Evaluation
   {
     double value = 0, worst = 1; // worst corner t = 2 D / N
@@ -81,7 +97,8 @@ private:
     return 2;
   }
 
-  Evaluation evaluate(const Vec& x, const Vec& normal) const
+  // With `here`, x is where the node stands and the sizes are known.
+  Evaluation evaluate(const Vec& x, const Vec& normal, bool here = false) const
   {
     Evaluation e;
     for(const Star_face& f : star_) {
@@ -94,7 +111,8 @@ private:
         e.value += 0.25 * Corner_cost::value(N, D);
         e.worst = (std::min)(e.worst, N > 0 ? 2 * D / N : -1.);
       }
-      const double r = mean_edge_length(p) / s_.target(p, f.floor);
+      if(!sized_) continue;
+      const double r = mean_edge_length(p) / (here ? f.target : s_.target(p, f.floor));
       e.value += size_cost(r);
       e.largest = (std::max)(e.largest, r);
     }
@@ -112,7 +130,8 @@ private:
   {
     const Smoothing_weights& w = s_.smoothing;
     const double c = (std::min)(r, 1.5), k = w.power;
-    const double p2 = std::pow(c, k - 2), b1 = 0.5 * k * p2 * c, b2 = 0.5 * k * (k - 1) * p2;
+    const double p2 = integer_power(c, w.power - 2), b1 = 0.5 * k * p2 * c,
+                 b2 = 0.5 * k * (k - 1) * p2;
     double v = 0.5 * p2 * c * c + b1 * (r - c) + 0.5 * b2 * (r - c) * (r - c);
     d1 = w.size * (b1 + b2 * (r - c));
     d2 = w.size * b2;
@@ -147,7 +166,7 @@ private:
                dofs, m);
     add_corner(f.q2 - f.q1, x - f.q1, 2, 2 * (x - f.q1), cross(n, f.q2 - f.q1), n, dofs, m);
     add_corner(x - f.q3, f.q2 - f.q3, 2, 2 * (x - f.q3), cross(f.q2 - f.q3, n), n, dofs, m);
-    add_size(p, f, dofs, m);
+    if(sized_) add_size(p, f, dofs, m);
   }
 
   void add_corner(const Vec& a, const Vec& b, double hN, const Vec& gN, const Vec& gD, const Vec& n,
@@ -185,7 +204,7 @@ private:
   {
     const double l1 = distance(p[0], p[1]), l3 = distance(p[0], p[3]);
     if(!(l1 > 0 && l3 > 0)) return;
-    const double h = s_.target(p, f.floor), r = mean_edge_length(p) / h;
+    const double h = f.target, r = mean_edge_length(p) / h;
     double d1, d2;
     size_cost(r, d1, d2);
     const Vec u1 = (p[0] - p[1]) / l1, u3 = (p[0] - p[3]) / l3;
@@ -235,7 +254,7 @@ private:
     double length = 0;
     for(int i = 0; i < dofs; ++i) length += step[i] * step[i];
     length = std::sqrt(length);
-    if(!(length > 1e-5 * reach)) return false;
+    if(!(length > least_move * reach)) return false;
     double scale = (std::min)(1., 0.5 * reach / length);
     for(int attempt = 0; attempt < 4; ++attempt, scale *= 0.35) {
       Vertex_record t = r;
@@ -258,6 +277,7 @@ private:
   const Adaptation_state& s_;
   std::vector<Star_face> star_;
   mutable Vec t_[2];
+  bool sized_ = true; // do sizes count at all?
 };
 
 // Gradient of the size along a face from its values at the corners (least squares on the

@@ -86,6 +86,7 @@ inline void Cavity::write_nodes(const std::vector<Index>& face_of, std::vector<I
     r.faces = std::int16_t(total_corners_[n]);
     r.halfedge = -1;
     m.vertex(ids[n]) = r;
+    s_.disturb(ids[n]);
     if(touched) touched->push_back(ids[n]);
   }
   for(int h = 0; h < int(partner_.size()); ++h) {

@@ -71,9 +71,9 @@ public:
       if(!is_region || get(in_region_, f)) add_face(f, position, is_region, in, out);
       ++position;
     }
-    if(in.quads.empty()) throw Refused{ Refusal::empty_mesh,
-                                      is_region ? "the region has no faces" : "the mesh has no faces",
-                                      -1 };
+    if(in.quads.empty())
+      throw Refused{ Refusal::empty_mesh,
+                     is_region ? "the region has no faces" : "the mesh has no faces", -1 };
   }
 
 private:
@@ -112,10 +112,10 @@ private:
   // vertex stays as it is, and the parts know nothing of each other.
   Index number_in_region(halfedge_descriptor h, Input_mesh& in, Mesh_descriptors<QuadMesh>& out)
   {
-    const halfedge_descriptor first = end_of_fan(
-        h, [&](halfedge_descriptor g) { return opposite(prev(g, mesh_), mesh_); });
-    const halfedge_descriptor last = end_of_fan(
-        h, [&](halfedge_descriptor g) { return next(opposite(g, mesh_), mesh_); });
+    const halfedge_descriptor first =
+        end_of_fan(h, [&](halfedge_descriptor g) { return opposite(prev(g, mesh_), mesh_); });
+    const halfedge_descriptor last =
+        end_of_fan(h, [&](halfedge_descriptor g) { return next(opposite(g, mesh_), mesh_); });
     const vertex_descriptor v = source(h, mesh_);
     const halfedge_descriptor null = Traits::null_halfedge();
     if(first == null || (!leaves_region(prev(first, mesh_)) && !leaves_region(last)))

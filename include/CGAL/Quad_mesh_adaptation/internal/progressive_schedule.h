@@ -54,7 +54,10 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
 {
   const double hinge = s.smoothing.hinge;
   for(int round = 0; round < rounds; ++round) {
-    if(round >= 2) s.smoothing.hinge = 2000;
+    if(round == 2) {
+      s.smoothing.hinge = 2000;
+      s.disturb_all();
+    }
     const std::size_t done = clean_up(s, clean, 6, 4);
     if(done == 0 && round >= 3) break;
   }

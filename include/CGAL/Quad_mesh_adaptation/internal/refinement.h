@@ -53,12 +53,14 @@ inline void set_floors(Adaptation_state& s)
   for(Index v = 0; v < m.vertex_end(); ++v)
     if(m.is_vertex(v)) m.vertex(v).floor = sum[v] / n[v];
   s.forget_energies();
+  s.disturb_all();
 }
 
 inline void clear_floors(Adaptation_state& s)
 {
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) s.mesh.vertex(v).floor = 0;
   s.forget_energies();
+  s.disturb_all();
 }
 
 } // namespace internal

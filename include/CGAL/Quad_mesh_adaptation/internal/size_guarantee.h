@@ -25,6 +25,27 @@ inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limi
   return list;
 }
 
+// Is a face held too large by an edge that must not change?
+inline bool is_beyond_help(const Adaptation_state& s, Index f)
+{
+  for(Index h = 4 * f; h < 4 * f + 4; ++h) {
+    const Vertex_record &a = s.mesh.vertex(s.mesh.origin(h)), &b = s.mesh.vertex(s.mesh.target(h));
+    const Index c = s.mesh.curve(h);
+    if(!(c >= 0 && s.curves[c].is_frozen()) && !(a.frozen && b.frozen)) continue;
+    if(distance(a.p, b.p) > 1.2 * s.size.at_face(s.corners(f))) return true;
+  }
+  return false;
+}
+
+// The faces too large that pressure may bring down: pressing on the others only spoils them.
+inline std::vector<Index> faces_to_press(const Adaptation_state& s)
+{
+  std::vector<Index> list;
+  for(Index f : faces_too_large(s))
+    if(!is_beyond_help(s, f)) list.push_back(f);
+  return list;
+}
+
 // Nodes of the given faces and `rings` rings of faces around them.
 inline std::vector<char> nodes_around(const Adaptation_state& s, const std::vector<Index>& faces,
                                       int rings)
@@ -75,24 +96,30 @@ inline std::size_t split_too_large(Adaptation_state& s, const std::vector<Index>
   return split.empty() ? 0 : Split_templates(s, split)();
 }
 
+inline void smooth_near(Adaptation_state& s, const std::vector<Index>& faces)
+{
+  const std::vector<char> near = nodes_around(s, faces, 3);
+  for(Index v = 0; v < Index(near.size()); ++v)
+    if(near[v]) s.disturb(v);
+  smooth(s, 6);
+}
+
 // Presses on the faces that are too large, and on nothing else: smoothing with a hinge on the
 // size, and local operations under a heavier weight for oversize, about them and two rings
 // around.  No operation may leave a face above its size that was not.
 inline void press_down(Adaptation_state& s, const Improvement_options& o,
                        const std::vector<Index>& large)
 {
-  std::vector<char> near = nodes_around(s, large, 3);
-  smooth(s, 6, &near);
-  const std::vector<Index> left = faces_too_large(s);
+  smooth_near(s, large);
+  const std::vector<Index> left = faces_to_press(s);
   if(left.empty()) return;
   Local_improvement improvement(s, o);
-  near = nodes_around(s, left, 2);
+  const std::vector<char> near = nodes_around(s, left, 2);
   for(Index v = 0; v < Index(near.size()); ++v)
     if(near[v]) improvement.activate(v);
   for(int pass = 0; pass < 4; ++pass)
     if(improvement.pass() == 0) break;
-  near = nodes_around(s, faces_too_large(s), 3);
-  smooth(s, 6, &near);
+  smooth_near(s, faces_to_press(s));
 }
 
 // What pressure and splits have spoiled is mended without giving up a size that is met: clean-up
@@ -101,6 +128,7 @@ inline void settle(Adaptation_state& s, Improvement_options o, int rounds)
 {
   o.keep_within_size = true;
   s.smoothing.keep_within_size = true;
+  s.disturb_all();
   for(int round = 0; round < rounds; ++round) {
     smooth(s, 4);
     Local_improvement improvement(s, o);
@@ -138,7 +166,7 @@ inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options&
   const Energy_weights energy = s.energy;
   Improvement_options pressed = o;
   pressed.min_jacobian = 0.35;
-  std::vector<Index> large = faces_too_large(s);
+  std::vector<Index> large = faces_to_press(s);
   double weight = 2;
   for(int round = 0; round < max_rounds && !large.empty(); ++round, weight *= 1.7) {
     s.check_cancelled();
@@ -148,11 +176,11 @@ inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options&
     s.energy.oversize = energy.oversize * (std::min)(weight, 100.);
     s.forget_energies();
     pressed.keep_within_size = round >= 2;
-    press_down(s, pressed, faces_too_large(s));
+    press_down(s, pressed, faces_to_press(s));
     s.smoothing = gentle;
     s.energy = energy;
     s.forget_energies();
-    large = faces_too_large(s);
+    large = faces_to_press(s);
   }
   s.smoothing.hinge = 2000;
   settle(s, o, 3);

@@ -37,47 +37,59 @@ inline void gather_star(const Adaptation_state& s, Index v, std::vector<Star_fac
   } while(h >= 0 && h != start);
 }
 
-// Size-aware smoothing: `sweeps` rounds over all nodes in a fixed order, each moved to a better
-// place on its carrier.  With `active`, only the nodes marked there, which is updated to the
-// nodes worth another visit.  Returns the number of moves.
-inline std::size_t smooth(Adaptation_state& s, int sweeps, std::vector<char>* active = nullptr)
+// Moves node v to a better place on its carrier; tells whether it moved far enough for its
+// neighbours to notice.
+inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
+{
+  Vertex_record& r = s.mesh.vertex(v);
+  if(r.frozen || r.carrier == Carrier::corner) return false;
+  gather_star(s, v, relax.star());
+  const Vertex_record old = r;
+  if(!relax(r)) return false;
+  if(!is_order_kept(s, v, old)) {
+    r = old;
+    return false;
+  }
+  Index h = r.halfedge;
+  do {
+    s.forget_energy(s.mesh.face(h));
+    h = s.mesh.turn_left(h);
+  } while(h >= 0 && h != r.halfedge);
+  const double edge = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
+  return distance(r.p, old.p) > 2e-3 * edge;
+}
+
+// The nodes of all faces about v are worth a visit.
+inline void disturb_around(Adaptation_state& s, Index v)
+{
+  const Index start = s.mesh.vertex(v).halfedge;
+  Index h = start;
+  do {
+    for(Index u : s.mesh.quad(s.mesh.face(h))) s.disturb(u);
+    h = s.mesh.turn_left(h);
+  } while(h >= 0 && h != start);
+}
+
+// Size-aware smoothing: at most `sweeps` rounds, in a fixed order, over the nodes about which
+// something changed, each moved to a better place on its carrier.  Those that still moved in the
+// last round are left for the next call.  Returns the number of moves.
+inline std::size_t smooth(Adaptation_state& s, int sweeps)
 {
   Node_relaxation relax(s);
   std::size_t moves = 0;
   for(int sweep = 0; sweep < sweeps; ++sweep) {
     s.check_cancelled();
-    std::vector<char> next;
-    if(active) next.assign(s.mesh.vertex_end(), 0);
+    std::vector<char> now;
+    now.swap(s.restless);
+    now.resize(s.mesh.vertex_end(), 1);
+    s.restless.assign(now.size(), 0);
     std::size_t moved = 0;
     for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-      if(!s.mesh.is_vertex(v) || (active && !(*active)[v])) continue;
-      Vertex_record& r = s.mesh.vertex(v);
-      if(r.frozen || r.carrier == Carrier::corner) continue;
-      gather_star(s, v, relax.star());
-      const Vertex_record old = r;
-      const Vec before = r.p;
-      if(!relax(r)) continue;
-      if(!is_order_kept(s, v, old)) {
-        r = old;
-        continue;
-      }
+      if(!now[v] || !s.mesh.is_vertex(v) || !move_node(s, v, relax)) continue;
+      disturb_around(s, v);
       ++moved;
-      Index g = r.halfedge;
-      do {
-        s.forget_energy(s.mesh.face(g));
-        g = s.mesh.turn_left(g);
-      } while(g >= 0 && g != r.halfedge);
-      if(!active) continue;
-      const double reach = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
-      if(distance(before, r.p) < 1e-3 * reach) continue;
-      Index h = r.halfedge;
-      do {
-        for(Index u : s.mesh.quad(s.mesh.face(h))) next[u] = 1;
-        h = s.mesh.turn_left(h);
-      } while(h >= 0 && h != r.halfedge);
     }
     moves += moved;
-    if(active) active->swap(next);
     if(moved == 0) break;
   }
   return moves;

@@ -104,6 +104,7 @@ public:
       if(m.is_face(f) && cut_face(f)) ++cut;
     if(cut == 0) return 0;
     s_.forget_energies();
+    s_.disturb_all();
     m.link();
     s_.count("template refinement", cut);
     return cut;
