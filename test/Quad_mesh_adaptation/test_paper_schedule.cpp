@@ -185,7 +185,9 @@ TEST(Paper_schedule, PhasesInOrder)
   EXPECT_GT(std::count(phases.begin(), phases.end(), "refinement"), 1);
   EXPECT_LE(std::count(phases.begin(), phases.end(), "coarsening"), 5);
   for(std::size_t i = 0; i + 1 < phases.size(); ++i)
-    if(phases[i] == "refinement") { EXPECT_EQ(phases[i + 1], "clean-up"); }
+    if(phases[i] == "refinement") {
+      EXPECT_EQ(phases[i + 1], "clean-up");
+    }
   const core::Refine_classes c = core::classify_faces(s, 1.0);
   EXPECT_LE(double(c.high.size()), 0.035 * s.mesh.number_of_faces()) << "not refined enough";
 }
