@@ -113,7 +113,7 @@ private:
 TEST(Random_operations, InvariantsHoldAfterEachStep)
 {
   const unsigned seed = zoo_mesh::seed();
-  const int steps = zoo_mesh::count("QUAD_MESH_STEPS", 120);
+  const int steps = zoo_mesh::count("QUAD_MESH_STEPS", 80);
   std::cout << "QUAD_MESH_SEED=" << seed << std::endl;
   std::map<std::string, int> done; // by the first two words
   for(Named_state& n : state_fixture::all_states()) {
