@@ -20,11 +20,11 @@ namespace internal {
 struct Node_relaxation_access
 {
   // Derivatives at node r in the directions t; returns how many there are.
-  static int derivatives(const Node_relaxation& relax, const Vertex_record& r, Local_model& m,
-                         Vec t[2])
+  static int derivatives(Node_relaxation& relax, const Vertex_record& r, Local_model& m, Vec t[2])
   {
     const int dofs = relax.directions(r);
     for(int i = 0; i < dofs; ++i) t[i] = relax.t_[i];
+    relax.ask_sizes(r.p);
     for(const Star_face& f : relax.star_) relax.add_derivatives(r, f, dofs, m);
     return dofs;
   }
@@ -79,7 +79,11 @@ void shake(Adaptation_state& s, Random& random, double share)
   s.forget_energies();
 }
 
-enum class Size { constant, linear };
+enum class Size
+{
+  constant,
+  linear
+};
 
 // Compares with differences of the objective at every node of a shaken irregular mesh in the
 // plane, where the normals do not depend on the node; returns the number of comparisons.
@@ -113,7 +117,8 @@ int compare_derivatives(Adaptation_state& s, Random& random, bool hessian)
     EXPECT_NEAR(m.H[0], (value(d, 0) - 2 * f + value(-d, 0)) / (d * d), tolerance) << "node " << v;
     if(dofs < 2) continue;
     EXPECT_NEAR(m.H[1], (value(d, d) - value(d, -d) - value(-d, d) + value(-d, -d)) / (4 * d * d),
-                tolerance) << "node " << v;
+                tolerance)
+        << "node " << v;
     EXPECT_NEAR(m.H[2], (value(0, d) - 2 * f + value(0, -d)) / (d * d), tolerance) << "node " << v;
   }
   return compared;
@@ -200,7 +205,9 @@ TEST(Node_relaxation, NeverWorseNeverOffItsCarrier)
           ++moves;
           EXPECT_FALSE(old.frozen || old.carrier == Carrier::corner) << "node " << v;
           EXPECT_LT(relax.objective(r), before) << "node " << v;
-          if(worst > 0.01) { EXPECT_GT(worst_corner(s, v), 0) << "node " << v; }
+          if(worst > 0.01) {
+            EXPECT_GT(worst_corner(s, v), 0) << "node " << v;
+          }
           EXPECT_EQ(int(r.carrier), int(old.carrier));
           if(r.carrier == Carrier::curve) {
             EXPECT_EQ(r.curve, old.curve);

@@ -49,10 +49,7 @@ public:
   {
     const int dofs = directions(r);
     if(dofs == 0) return false;
-    const Smoothing_weights& w = s_.smoothing;
-    sized_ = w.size > 0 || w.hinge > 0 || w.keep_within_size;
-    if(sized_)
-      for(Star_face& f : star_) f.target = s_.target({ r.p, f.q1, f.q2, f.q3 }, f.floor);
+    ask_sizes(r.p);
     const Evaluation before = evaluate(r.p, r.normal, true);
     Local_model m;
     for(const Star_face& f : star_) add_derivatives(r, f, dofs, m);
@@ -73,6 +70,15 @@ private:
     for(; n > 0; n >>= 1, x *= x)
       if(n & 1) result *= x;
     return result;
+  }
+
+  // The sizes of the star with the node at x, once for value and derivatives.
+  void ask_sizes(const Vec& x)
+  {
+    const Smoothing_weights& w = s_.smoothing;
+    sized_ = w.size > 0 || w.hinge > 0 || w.keep_within_size;
+    if(!sized_) return;
+    for(Star_face& f : star_) f.target = s_.target({ x, f.q1, f.q2, f.q3 }, f.floor);
   }
 
   struct Evaluation
