@@ -51,7 +51,9 @@ void expect_refused(Mesh mesh, Refusal reason, long entity)
     EXPECT_EQ(zoo_mesh::shape_of(mesh).quads, zoo_mesh::shape_of(before).quads);
     for(auto v : before.vertices())
       for(int k = 0; k < 3; ++k)
-        if(std::isfinite(before.point(v)[k])) { EXPECT_EQ(mesh.point(v)[k], before.point(v)[k]); }
+        if(std::isfinite(before.point(v)[k])) {
+          EXPECT_EQ(mesh.point(v)[k], before.point(v)[k]);
+        }
     EXPECT_EQ(mesh.number_of_faces(), before.number_of_faces());
     EXPECT_EQ(mesh.number_of_vertices(), before.number_of_vertices());
   }
@@ -79,8 +81,8 @@ TEST(Refusals, NotAllQuads)
                           triangle);
   expect_refused(triangle, Refusal::not_all_quads, 5);
   Mesh pentagon = plate();
-  CGAL::Euler::join_face(
-      pentagon.next(pentagon.next(pentagon.halfedge(Mesh::Face_index(2)))), pentagon);
+  CGAL::Euler::join_face(pentagon.next(pentagon.next(pentagon.halfedge(Mesh::Face_index(2)))),
+                         pentagon);
   pentagon.collect_garbage();
   const Adaptation_report r = QMA::adapt_quad_mesh(1., pentagon);
   EXPECT_EQ(r.reason, Refusal::not_all_quads);
@@ -88,9 +90,9 @@ TEST(Refusals, NotAllQuads)
 
 TEST(Refusals, CoordinatesThatAreNotFinite)
 {
-  for(double bad : { std::numeric_limits<double>::quiet_NaN(),
-                     std::numeric_limits<double>::infinity(),
-                     -std::numeric_limits<double>::infinity() })
+  for(double bad :
+      { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity() })
     for(int k = 0; k < 3; ++k) {
       Mesh mesh = plate();
       double c[3] = { 3, 2, 0 };
@@ -245,9 +247,10 @@ TEST(Cancelled, ByTheCallback)
     Mesh mesh = plate();
     const Mesh before = mesh;
     long calls = 0;
-    const Adaptation_report c = QMA::adapt_quad_mesh(
-        0.3, mesh,
-        CGAL::parameters::callback(std::function<bool(double)>([&](double) { return ++calls < n; })));
+    const Adaptation_report c =
+        QMA::adapt_quad_mesh(0.3, mesh,
+                             CGAL::parameters::callback(
+                                 std::function<bool(double)>([&](double) { return ++calls < n; })));
     EXPECT_EQ(c.status, Adaptation_status::cancelled) << "call " << n << " of " << all;
     EXPECT_FALSE(c.message.empty());
     EXPECT_EQ(calls, n) << "asked again after it was cancelled";
@@ -330,7 +333,8 @@ TEST(Exceptions, OfTheVisitorPassThrough)
       Throwing_visitor v;
       v.at_start = at_start;
       v.left = left;
-      EXPECT_THROW(QMA::adapt_quad_mesh(0.3, mesh, CGAL::parameters::visitor(std::ref(v))), My_error);
+      EXPECT_THROW(QMA::adapt_quad_mesh(0.3, mesh, CGAL::parameters::visitor(std::ref(v))),
+                   My_error);
       EXPECT_TRUE(zoo_mesh::is_same(mesh, before));
     }
 }

@@ -11,8 +11,8 @@
 
 namespace {
 
-using CGAL::Quad_mesh_adaptation::internal::Feature_curve;
 using CGAL::Quad_mesh_adaptation::internal::distance;
+using CGAL::Quad_mesh_adaptation::internal::Feature_curve;
 using CGAL::Quad_mesh_adaptation::internal::Vec;
 
 // Right, up, and up into space: lengths 3, 4 and 12.

@@ -54,7 +54,7 @@ void import_change_export(const Shape& shape, double feature_angle, const std::s
   core::State_builder(in, features, s)(nullptr);
   change(s);
   core::Mesh_export<M, decltype(vpm), core::No_constraints<Edge>> write(mesh, vpm, ecm, in,
-                                                                      descriptors, s);
+                                                                        descriptors, s);
   write();
 
   ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
@@ -63,7 +63,7 @@ void import_change_export(const Shape& shape, double feature_angle, const std::s
   EXPECT_EQ(facts.problem, "");
   EXPECT_TRUE(mesh_checks::same_topology(mesh_checks::facts_of(shape.points, shape.quads), facts));
   EXPECT_EQ(facts.faces, std::size_t(s.mesh.number_of_faces()));
-  std::multiset<std::vector<double>> written, wanted; // the faces by their points
+  std::multiset<std::vector<double>> written, wanted;    // the faces by their points
   const auto row = [](const std::vector<core::Vec>& p) { // from whichever corner comes first
     std::vector<double> least;
     for(std::size_t first = 0; first < 4; ++first) {
@@ -75,8 +75,8 @@ void import_change_export(const Shape& shape, double feature_angle, const std::s
     return least;
   };
   for(const auto& q : after.quads)
-    written.insert(row({ after.points[q[0]], after.points[q[1]], after.points[q[2]],
-                         after.points[q[3]] }));
+    written.insert(
+        row({ after.points[q[0]], after.points[q[1]], after.points[q[2]], after.points[q[3]] }));
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f)) {
       const core::Corners c = s.corners(f);

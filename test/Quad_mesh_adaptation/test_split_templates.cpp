@@ -45,7 +45,9 @@ void expect_legal(const Quad_complex& m, const std::vector<char>& split)
   for(Index f = 0; f < m.face_end(); ++f) {
     EXPECT_EQ(number_of_marks(split, f) % 2, 0) << "face " << f;
     for(Index h = 4 * f; m.is_face(f) && h < 4 * f + 4; ++h)
-      if(m.opposite(h) >= 0) { EXPECT_EQ(split[h], split[m.opposite(h)]) << "half-edge " << h; }
+      if(m.opposite(h) >= 0) {
+        EXPECT_EQ(split[h], split[m.opposite(h)]) << "half-edge " << h;
+      }
   }
 }
 
@@ -73,7 +75,8 @@ Promise promise_of(const Quad_complex& m, const std::vector<char>& split)
     } else if(marks == 2) {
       p.faces += 2;
       ++p.vertices;
-      for(int i = 0; i < 4; ++i) // the corner between the edges that are whole is joined to the new node
+      for(int i = 0; i < 4;
+          ++i) // the corner between the edges that are whole is joined to the new node
         if(!split[4 * f + i] && !split[4 * f + ((i + 3) & 3)]) ++p.corners[m.origin(4 * f + i)];
     }
   }
@@ -146,7 +149,9 @@ TEST(Split_templates, RandomEvenMarks)
       const std::vector<char> split = core::even_marks(m, wish, 0.2);
       expect_legal(m, split);
       for(Index h = 0; h < Index(wish.size()); ++h)
-        if(wish[h] == infinity) { EXPECT_EQ(split[h], 0) << "a frozen edge is split"; }
+        if(wish[h] == infinity) {
+          EXPECT_EQ(split[h], 0) << "a frozen edge is split";
+        }
       for(Index f = 0; f < m.face_end(); ++f)
         ++seen[is_opposite(split, f) ? "opposite" : std::to_string(number_of_marks(split, f))];
 
