@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -51,6 +52,8 @@ inline void check_options(const Options& options)
                                              options.output);
   if(!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".svg")
     throw CLI::ValidationError("--picture", "must end in .svg, not be " + options.picture);
+  if(options.gradation && std::isnan(*options.gradation))
+    throw CLI::ValidationError("--gradation", "must be a number, not nan");
   // the mesh may be adapted in place, all other files must differ
   std::set<std::string> names = { options.input, options.reference };
   if(options.output == options.input) names.erase(options.input);
