@@ -14,9 +14,11 @@
 #include <cmath>
 #include <future>
 #include <limits>
+#include <map>
 #include <memory>
 #include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
@@ -270,4 +272,41 @@ TEST(Graded_sizing_field, refuses_what_it_cannot_grade)
   Mesh broken = mesh;
   broken.point(Mesh::Vertex_index(4)) = Point(1, nan, 0);
   EXPECT_THROW(Graded_sizing_field(broken, 1., 0.2), std::invalid_argument);
+}
+
+TEST(Sample_triangles, stay_conforming_with_bounded_angles_under_any_marks)
+{
+  using QMA::internal::Vec;
+  const shape_zoo::Shape shape = shape_zoo::plate(4, 3);
+  QMA::internal::Sample_triangles samples(shape.points, shape.quads);
+  std::mt19937 random(zoo_mesh::seed());
+  for(int pass = 0; pass < 12; ++pass) {
+    std::vector<char> is_marked(samples.edges().size());
+    for(char& mark : is_marked) mark = random() % 20 == 0;
+    const std::size_t before = samples.triangles().size();
+    samples.split(is_marked);
+    EXPECT_GT(samples.triangles().size(), before);
+  }
+  std::map<std::pair<int, int>, int> uses; // of directed edges
+  double area = 0;
+  for(const auto& t : samples.triangles()) {
+    const Vec &a = samples.points()[t[0]], &b = samples.points()[t[1]], &c = samples.points()[t[2]];
+    const Vec normal = QMA::internal::cross(b - a, c - a);
+    EXPECT_GT(normal.z(), 0);
+    area += normal.z() / 2;
+    const double longest =
+        (std::max)({ QMA::internal::distance(a, b), QMA::internal::distance(b, c),
+                     QMA::internal::distance(c, a) });
+    EXPECT_NEAR(normal.z() / (longest * longest), 0.5, 1e-9); // right-angled and isosceles for ever
+    for(int i = 0; i < 3; ++i) ++uses[{ t[i], t[(i + 1) % 3] }];
+  }
+  EXPECT_NEAR(area, 12, 1e-9);
+  for(const auto& [edge, number] : uses) {
+    EXPECT_EQ(number, 1);
+    if(uses.count({ edge.second, edge.first })) continue;
+    const Vec &p = samples.points()[edge.first], &q = samples.points()[edge.second];
+    const bool is_border = (p.x() == q.x() && (p.x() == 0 || p.x() == 4)) ||
+                           (p.y() == q.y() && (p.y() == 0 || p.y() == 3));
+    EXPECT_TRUE(is_border); // no hanging node inside
+  }
 }
