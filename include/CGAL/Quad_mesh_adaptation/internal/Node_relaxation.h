@@ -142,7 +142,6 @@ private:
     d1 = w.size * (b1 + b2 * (r - c));
     d2 = w.size * b2;
     v *= w.size;
-    if(w.two_sided) add_undersize(r, v, d1, d2);
     if(w.hinge > 0 && r > w.hinge_at) {
       const double x = r - w.hinge_at;
       v += w.hinge * x * x;
@@ -150,14 +149,6 @@ private:
       d2 += 2 * w.hinge;
     }
     return v;
-  }
-
-  void add_undersize(double r, double& v, double& d1, double& d2) const
-  {
-    const double i = 1 / (std::max)(r, 0.2), w = 0.5 * s_.smoothing.size;
-    v += w * i * i * i * i;
-    d1 -= 4 * w * i * i * i * i * i;
-    d2 += 20 * w * i * i * i * i * i * i;
   }
 
   // Derivatives at x of the cost of one face, normals frozen.

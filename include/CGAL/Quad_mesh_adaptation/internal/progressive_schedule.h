@@ -64,8 +64,8 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
   s.smoothing.hinge = hinge;
 }
 
-// Is there nothing to do?  No face too large, hardly one that could be closed, shapes and valences as
-// this schedule leaves them.  Adapting an adapted mesh again then changes nothing.
+// Is there nothing to do?  No face too large, hardly one that could be closed, shapes and valences
+// as this schedule leaves them.  Adapting an adapted mesh again then changes nothing.
 inline bool is_adapted(const Adaptation_state& s)
 {
   const Quad_complex& m = s.mesh;
