@@ -11,6 +11,7 @@
 #include "support/print_report.h"
 #include "support/report_json.h"
 
+#include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/IO/write_picture.h>
 #include <CGAL/Quad_mesh_adaptation/IO/write_quad_mesh.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/adapt_quad_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
@@ -70,6 +72,21 @@ int read_inputs(const Options& options, Mesh& mesh, Mesh& reference)
   if(options.reference.empty()) return 0;
   result = QMA::read_surface(options.reference, reference);
   return result.ok() ? 0 : refuse(result.message);
+}
+
+// Bounds the growth of the size over the mesh, and says where that lowers it.
+void limit_growth(const Options& options, const Mesh& mesh, Size_function& size)
+{
+  const QMA::Graded_sizing_field graded(mesh, size, *options.gradation);
+  if(!options.is_quiet && graded.lowered_share() > 0)
+    std::cerr << "quad_adapt: note: the size grows by more than " << *options.gradation
+              << " per unit of length, it is lowered on "
+              << std::max(1., std::round(100 * graded.lowered_share())) << " % of the surface\n";
+  if(!options.is_quiet && !graded.is_resolved())
+    std::cerr << "quad_adapt: note: the growth of the size is bounded with "
+              << graded.number_of_samples() << " samples only, up to " << graded.largest_spacing()
+              << " sizes apart\n";
+  size = graded;
 }
 
 // Before the work rather than after it.
@@ -130,6 +147,7 @@ int run(const Options& options)
   if(exit_code == 0) exit_code = read_inputs(options, mesh, reference);
   if(exit_code == 0) exit_code = probe_outputs(options);
   if(exit_code != 0) return exit_code;
+  if(options.gradation) limit_growth(options, mesh, size);
 
   const Mesh initial = options.picture.empty() ? Mesh() : mesh;
   catch_interrupts();

@@ -26,6 +26,7 @@ struct Node_relaxation_access
     for(Star_face& f : relax.star_)
       f.target = relax.s_.target({ r.p, f.q1, f.q2, f.q3 }, f.floor);
     for(int i = 0; i < dofs; ++i) t[i] = relax.t_[i];
+    relax.ask_sizes(r.p);
     for(const Star_face& f : relax.star_) relax.add_derivatives(r, f, dofs, m);
     return dofs;
   }

@@ -86,6 +86,14 @@ sys.exit(not (r["after"]["faces"] == faces == sum(r["after"]["size_ratio"]["face
 fi
 grid 8 | awk 'NR > 2 && NF == 3 { print $1 / 2, $2 / 2, $3; next } { print }' >fine.off
 expect 0 '' plate.off out.off --size 0.8 --reference fine.off --quiet
+# a size that jumps is graded: said, and many more faces; a gentle one stays as it is
+faces() { awk 'NR == 2 { print $2 }' "$1"; }
+expect 0 '' plate.off jump.off --size-function 'x < 1 ? 0.1 : 2' --quiet
+expect 0 'lowered on .* % of the surface' plate.off graded.off \
+  --size-function 'x < 1 ? 0.1 : 2' --gradation 0.2
+[ "$(faces graded.off)" -gt "$(($(faces jump.off) + 50))" ] || fail "--gradation changed nothing"
+expect 0 '' plate.off gentle.off --size-function '0.3 + 0.1 * x' --gradation 0.2
+[ -s .err ] && fail "--gradation lowered a gentle size"
 cp plate.off in_place.off
 expect 0 '' in_place.off in_place.off --size 0.5 --quiet
 [ "$(head -n 2 in_place.off | tail -n 1)" = "$(head -n 2 plate.off | tail -n 1)" ] &&
@@ -161,6 +169,10 @@ expect 2 'schedule' plate.off out.off --size 1 --schedule fast
 expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle -3
 expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle wide
 expect 2 'max-iterations' plate.off out.off --size 1 --max-iterations 0
+for slope in -0.1 nan steep; do
+  expect 2 'gradation' plate.off out.off --size 1 --gradation "$slope"
+done
+expect 1 'size' plate.off out.off --size-function 'x - 2' --gradation 0.2
 for expression in 'x +' 'q' '1, 2' '(x' '' 'sin(x, y)'; do
   expect 2 'size-function' plate.off out.off --size-function "$expression"
 done

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -24,6 +25,7 @@ struct Options
 {
   std::string input, output;
   std::optional<std::string> size, size_function; // exactly one is given
+  std::optional<double> gradation;                // largest slope of the size
   std::string reference, report, picture;
   std::string schedule = "default";
   double feature_angle = CGAL::Quad_mesh_adaptation::default_feature_angle;
@@ -50,6 +52,8 @@ inline void check_options(const Options& options)
                                              options.output);
   if(!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".svg")
     throw CLI::ValidationError("--picture", "must end in .svg, not be " + options.picture);
+  if(options.gradation && std::isnan(*options.gradation))
+    throw CLI::ValidationError("--gradation", "must be a number, not nan");
   // the mesh may be adapted in place, all other files must differ
   std::set<std::string> names = { options.input, options.reference };
   if(options.output == options.input) names.erase(options.input);
@@ -71,6 +75,11 @@ inline void describe_options(CLI::App& app, Options& options)
                    "Edge length as an expression in x, y, z")
       ->type_name("EXPR");
   sizes->require_option(1);
+  app.add_option("--gradation", options.gradation,
+                 "Let the size grow by at most G per unit of distance over INPUT: where the\n"
+                 "given one grows faster it is lowered; 0.2 to 0.3 suits quads [no limit]")
+      ->type_name("G")
+      ->check(CLI::Range(0., 1e6));
   app.add_option("--reference", options.reference,
                  "Finer surface to stay on; its border curves are the curves [INPUT]")
       ->type_name("SURFACE");
@@ -98,6 +107,7 @@ inline void describe_options(CLI::App& app, Options& options)
       "  asin acos atan atan2 hypot floor ceil, if(a, b, c), clamp(v, low, high)\n"
       "Examples:\n"
       "  quad_adapt plate.off adapted.vtk --size-function \"0.1 + abs(hypot(x, y) - 4.8)\"\n"
+      "  quad_adapt plate.off graded.vtk --size-function \"x < 2 ? 0.1 : 5\" --gradation 0.25\n"
       "  quad_adapt part.obj coarse.obj --size 2.5 --reference part_fine.ply --picture part.svg\n"
       "Exit codes:\n"
       "  0    the mesh was written, all sizes are met\n"

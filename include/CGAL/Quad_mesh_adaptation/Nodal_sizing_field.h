@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_NODAL_SIZING_FIELD_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Triangle_tree.h>
+#include <CGAL/Quad_mesh_adaptation/internal/barycentric_weights.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -83,7 +84,8 @@ public:
                           CGAL::to_double(point.z()));
     const internal::Triangle_tree::Nearest found = data_->tree.nearest(p);
     const std::array<Corner, 3>& t = data_->corners[found.triangle];
-    const std::array<double, 3> w = barycentric(t, found.point);
+    const std::array<double, 3> w =
+        internal::barycentric_weights({ t[0].point, t[1].point, t[2].point }, found.point);
     return std::exp(w[0] * t[0].log_size + w[1] * t[1].log_size + w[2] * t[2].log_size);
   }
 
@@ -152,23 +154,6 @@ private:
       mean.log_size += c.log_size / double(p.size());
     }
     for(std::size_t i = 0; i < p.size(); ++i) add(mean, p[i], p[(i + 1) % p.size()], soup);
-  }
-
-  // Weights of the corners at a point of the triangle, kept in [0,1] against rounding.
-  static std::array<double, 3> barycentric(const std::array<Corner, 3>& t, const Vec& q)
-  {
-    const Vec normal = area_vector(t[0], t[1], t[2]);
-    std::array<double, 3> w;
-    double sum = 0;
-    for(int i = 0; i < 3; ++i) {
-      const Vec side = t[(i + 2) % 3].point - t[(i + 1) % 3].point;
-      const double area = internal::cross(side, q - t[(i + 1) % 3].point) * normal;
-      w[i] = (std::max)(area, 0.);
-      sum += w[i];
-    }
-    if(!(sum > 0)) return { 1. / 3, 1. / 3, 1. / 3 };
-    for(double& x : w) x /= sum;
-    return w;
   }
 
   std::shared_ptr<const Data> data_;

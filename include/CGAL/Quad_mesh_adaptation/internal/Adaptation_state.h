@@ -35,7 +35,6 @@ struct Smoothing_weights
   int power = 10;
   double hinge = 0; // switched on for the last sweeps
   double hinge_at = 0.985;
-  bool two_sided = false;        // also push faces that are too small
   bool keep_within_size = false; // no move leaves a face above its size that was not
   double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)
 };

@@ -147,6 +147,9 @@ public:
   // Replaces the old faces; `touched`, if given, receives the vertices around.
   void commit(std::vector<Index>* touched = nullptr);
 
+  // Scaled Jacobian of a face, -1 where it is folded over.
+  static double worst_corner(const Corners& p, const Vec& reference);
+
 private:
   struct Halfedge_key
   {
@@ -170,7 +173,6 @@ private:
   int limit_of(std::size_t n) const;
   void measure_before();
   void gather(int n, int first, int last);
-  static double worst_corner(const Corners& p, const Vec& reference);
   bool is_inner(int n) const { return total_corners_[n] == new_corners_[n] && new_corners_[n] > 0; }
   int origin(int h) const { return quads[h >> 2].v[h & 3]; }
   int target(int h) const { return quads[h >> 2].v[(h + 1) & 3]; }

@@ -49,10 +49,7 @@ public:
   {
     const int dofs = directions(r);
     if(dofs == 0) return false;
-    const Smoothing_weights& w = s_.smoothing;
-    sized_ = w.size > 0 || w.hinge > 0 || w.keep_within_size;
-    if(sized_)
-      for(Star_face& f : star_) f.target = s_.target({ r.p, f.q1, f.q2, f.q3 }, f.floor);
+    ask_sizes(r.p);
     const Evaluation before = evaluate(r.p, r.normal, true);
     Local_model m;
     for(const Star_face& f : star_) add_derivatives(r, f, dofs, m);
@@ -73,6 +70,15 @@ private:
     for(; n > 0; n >>= 1, x *= x)
       if(n & 1) result *= x;
     return result;
+  }
+
+  // The sizes of the star with the node at x, once for value and derivatives.
+  void ask_sizes(const Vec& x)
+  {
+    const Smoothing_weights& w = s_.smoothing;
+    sized_ = w.size > 0 || w.hinge > 0 || w.keep_within_size;
+    if(!sized_) return;
+    for(Star_face& f : star_) f.target = s_.target({ x, f.q1, f.q2, f.q3 }, f.floor);
   }
 
   struct Evaluation
@@ -136,7 +142,6 @@ private:
     d1 = w.size * (b1 + b2 * (r - c));
     d2 = w.size * b2;
     v *= w.size;
-    if(w.two_sided) add_undersize(r, v, d1, d2);
     if(w.hinge > 0 && r > w.hinge_at) {
       const double x = r - w.hinge_at;
       v += w.hinge * x * x;
@@ -144,14 +149,6 @@ private:
       d2 += 2 * w.hinge;
     }
     return v;
-  }
-
-  void add_undersize(double r, double& v, double& d1, double& d2) const
-  {
-    const double i = 1 / (std::max)(r, 0.2), w = 0.5 * s_.smoothing.size;
-    v += w * i * i * i * i;
-    d1 -= 4 * w * i * i * i * i * i;
-    d2 += 20 * w * i * i * i * i * i * i;
   }
 
   // Derivatives at x of the cost of one face, normals frozen.

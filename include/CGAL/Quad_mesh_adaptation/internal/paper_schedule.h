@@ -17,10 +17,7 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // Eq. 4: faces below it are too small; from the sixth iteration on it is gone.
-inline double coarsening_threshold(std::size_t n)
-{
-  return (std::max)(0., 1.0 - 0.2 * double(n));
-}
+inline double coarsening_threshold(std::size_t n) { return (std::max)(0., 1.0 - 0.2 * double(n)); }
 
 // Eq. 5: parts high-refine from low-refine faces, down to 1.
 inline double refinement_threshold(std::size_t n)

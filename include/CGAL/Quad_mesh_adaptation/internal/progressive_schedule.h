@@ -64,9 +64,27 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
   s.smoothing.hinge = hinge;
 }
 
+// Is there nothing to do?  No face too large, hardly one that could be closed, shapes and valences
+// as this schedule leaves them.  Adapting an adapted mesh again then changes nothing.
+inline bool is_adapted(const Adaptation_state& s)
+{
+  const Quad_complex& m = s.mesh;
+  if(!faces_too_large(s).empty() || fraction_below(s, 0.7) > 0.01) return false;
+  for(Index f = 0; f < m.face_end(); ++f)
+    if(m.is_face(f) &&
+       Cavity::worst_corner(s.corners(f), s.reference_normal(f)) < s.smoothing.min_corner)
+      return false;
+  for(Index v = 0; v < m.vertex_end(); ++v)
+    if(m.is_vertex(v) && m.vertex(v).carrier == Carrier::surface &&
+       (m.vertex(v).faces < 3 || m.vertex(v).faces > 5))
+      return false;
+  return true;
+}
+
 // The default schedule.
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations)
 {
+  if(is_adapted(s)) return;
   const Improvement_options clean;
   smooth(s, 2);
   if(fraction_below(s, 0.7) > 0.01) {
