@@ -44,7 +44,8 @@ inline Refine_classes classify_faces(const Adaptation_state& s, double threshold
   for(Index f = 0; f < s.mesh.face_end(); ++f) {
     if(!s.mesh.is_face(f)) continue;
     const double r = s.size_ratio(f);
-    if(r > 1 + 1e-9) (r > threshold ? c.high : c.low).push_back(f);
+    // splitting what frozen edges hold would go on for ever
+    if(r > 1 + 1e-9 && !is_beyond_help(s, f)) (r > threshold ? c.high : c.low).push_back(f);
   }
   return c;
 }

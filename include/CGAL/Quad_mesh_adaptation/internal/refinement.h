@@ -22,6 +22,18 @@ inline double fraction_below(const Adaptation_state& s, double ratio)
   return double(below) / double(s.mesh.number_of_faces());
 }
 
+// Is a face held too large by an edge that must not change?
+inline bool is_beyond_help(const Adaptation_state& s, Index f)
+{
+  for(Index h = 4 * f; h < 4 * f + 4; ++h) {
+    const Vertex_record &a = s.mesh.vertex(s.mesh.origin(h)), &b = s.mesh.vertex(s.mesh.target(h));
+    const Index c = s.mesh.curve(h);
+    if(!(c >= 0 && s.curves[c].is_frozen()) && !(a.frozen && b.frozen)) continue;
+    if(distance(a.p, b.p) > 1.2 * s.size.at_face(s.corners(f))) return true;
+  }
+  return false;
+}
+
 // One conforming pass over the whole mesh: edges are halved where the size asks for it.
 // Returns the number of faces cut.
 inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,

@@ -25,18 +25,6 @@ inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limi
   return list;
 }
 
-// Is a face held too large by an edge that must not change?
-inline bool is_beyond_help(const Adaptation_state& s, Index f)
-{
-  for(Index h = 4 * f; h < 4 * f + 4; ++h) {
-    const Vertex_record &a = s.mesh.vertex(s.mesh.origin(h)), &b = s.mesh.vertex(s.mesh.target(h));
-    const Index c = s.mesh.curve(h);
-    if(!(c >= 0 && s.curves[c].is_frozen()) && !(a.frozen && b.frozen)) continue;
-    if(distance(a.p, b.p) > 1.2 * s.size.at_face(s.corners(f))) return true;
-  }
-  return false;
-}
-
 // The faces too large that pressure may bring down: pressing on the others only spoils them.
 inline std::vector<Index> faces_to_press(const Adaptation_state& s)
 {
