@@ -23,7 +23,6 @@ struct Node_relaxation_access
   static int derivatives(Node_relaxation& relax, const Vertex_record& r, Local_model& m, Vec t[2])
   {
     const int dofs = relax.directions(r);
-    for(Star_face& f : relax.star_) f.target = relax.s_.target({ r.p, f.q1, f.q2, f.q3 }, f.floor);
     for(int i = 0; i < dofs; ++i) t[i] = relax.t_[i];
     relax.ask_sizes(r.p);
     for(const Star_face& f : relax.star_) relax.add_derivatives(r, f, dofs, m);
