@@ -17,8 +17,9 @@ namespace Quad_mesh_adaptation {
 halves edges that are too long, with templates that keep the mesh conforming, and smooths with
 respect to the size after every pass; no clean-up, no coarsening.  `number_of_iterations(n)` limits
 the passes; by default it goes on until no edge asks for a split.  Parity is solved for the whole
-mesh as a minimum-weight T-join; edges that must not be split are respected, and where they leave no
-solution the report says so.
+mesh as a minimum-weight T-join.  Edges that must not change are never split, and then a solution
+always exists; what stays larger than asked because of them is listed in the report.
+
 
 All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
 mesh is valid after the call, and unchanged where it is refused or cancelled.
