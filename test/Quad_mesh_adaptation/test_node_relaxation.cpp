@@ -24,8 +24,7 @@ struct Node_relaxation_access
   {
     const int dofs = relax.directions(r);
     for(int i = 0; i < dofs; ++i) t[i] = relax.t_[i];
-    relax.ask_sizes(r.p);
-    for(const Star_face& f : relax.star_) relax.add_derivatives(r, f, dofs, m);
+    relax.evaluate(r, dofs, &m);
     return dofs;
   }
 };
@@ -76,7 +75,7 @@ void shake(Adaptation_state& s, Random& random, double share)
     }
     s.place(r);
   }
-  s.forget_energies();
+  s.forget_faces();
 }
 
 enum class Size
@@ -103,6 +102,7 @@ int compare_derivatives(Adaptation_state& s, Random& random, bool hessian)
     const auto value = [&](double a, double b) {
       Vertex_record x = r;
       x.p = r.p + a * t[0] + (dofs > 1 ? b * t[1] : Vec(0, 0, 0));
+      x.h = s.size.at(x.p);
       return relax.objective(x);
     };
     const double e = 1e-5, scale = 1 + std::abs(m.g[0]) + std::abs(m.g[1]);

@@ -142,7 +142,7 @@ TEST(Paper_schedule, BoundaryCoarsening)
   const state_checks::Snapshot before = state_checks::snapshot(s);
   const std::size_t removed = core::coarsen_boundary(s);
   EXPECT_GE(removed, 2u);
-  EXPECT_EQ(s.operations["chord collapse"], removed);
+  EXPECT_EQ(s.operation_counts()["chord collapse"], removed);
   EXPECT_LT(s.mesh.number_of_faces(), 48);
   EXPECT_VALID_STATE(s, before, true);
   // no chord that is left could go

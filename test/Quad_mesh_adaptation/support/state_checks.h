@@ -147,7 +147,7 @@ inline bool is_inverted(const Adaptation_state& s, Index f)
   if(!(mesh_checks::scaled_jacobian(p[0], p[1], p[2], p[3]) > 0)) return true;
   double weight = 0;
   for(Index v : s.mesh.quad(f)) weight += core::norm(s.mesh.vertex(v).normal);
-  const Vec n = core::area_vector(p), r = s.reference_normal(f);
+  const Vec n = core::area_vector(p), r = s.reference_normal(f).sum;
   return core::norm(r) > 0.5 * weight && weight > 0 && n * r < -0.5 * core::norm(n) * core::norm(r);
 }
 

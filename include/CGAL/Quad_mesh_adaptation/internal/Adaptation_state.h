@@ -13,10 +13,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +37,7 @@ struct Smoothing_weights
   int power = 10;
   double hinge = 0; // switched on for the last sweeps
   double hinge_at = 0.985;
+  double wake = 0.003;           // neighbours look again after moves above this share of an edge
   bool keep_within_size = false; // no move leaves a face above its size that was not
   double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)
 };
@@ -50,8 +53,10 @@ struct Adaptation_state
   Energy_weights energy;
   Smoothing_weights smoothing;
 
-  std::map<std::string, std::size_t> operations;               // how often each was committed
+  std::vector<std::pair<const char*, std::size_t>> operations; // how often each was committed
   std::vector<float> energy_cache;                             // per face, NaN where not known
+  std::vector<float> factor_cache;                             // likewise, see size_factor()
+  std::vector<std::uint8_t> factor_age;                        // moves of its corners since then
   std::function<void(double)> report_progress = [](double) {}; // throws Cancelled
   double progress = 0;                                         // of the whole call, 0 to 1
 
@@ -68,13 +73,11 @@ struct Adaptation_state
     return { mesh.point(q[0]), mesh.point(q[1]), mesh.point(q[2]), mesh.point(q[3]) };
   }
 
-  // Direction the face should show: from the normals of the reference surface at its corners,
-  // zero if there are none (all corners on feature curves).
-  Vec reference_normal(Index f) const
+  Facing reference_normal(Index f) const
   {
-    Vec n(0, 0, 0);
-    for(Index v : mesh.quad(f)) n = n + mesh.vertex(v).normal;
-    return n;
+    Facing r;
+    for(Index v : mesh.quad(f)) r.add(mesh.vertex(v).normal);
+    return r;
   }
 
   // The size a face is to have now, the floor of under-resolved places included.
@@ -87,11 +90,18 @@ struct Adaptation_state
     return s;
   }
 
-  double face_energy(const Corners& p, const Vec& reference, double floor) const
+  double face_energy(const Corners& p, const Facing& reference, double floor) const
   {
-    const double r = mean_edge_length(p) / target(p, floor);
-    return energy.face + energy.shape * shape_cost(p, facing(p, reference)) +
-           energy.oversize_cost(r);
+    return face_energy_for(p, reference, target(p, floor));
+  }
+
+  // With a given wanted size.
+  double face_energy_for(const Corners& p, const Facing& reference, double wanted) const
+  {
+    const Vec n = facing(p, reference.sum);
+    return energy.face + energy.shape * shape_cost(p, n) +
+           energy.oversize_cost(mean_edge_length(p) / wanted) +
+           energy.turn_cost(reference.mean_cosine(n));
   }
 
   double face_energy(Index f) const
@@ -111,16 +121,50 @@ struct Adaptation_state
 
   double cached_energy(Index f)
   {
-    if(f >= Index(energy_cache.size()))
-      energy_cache.resize(mesh.face_end(), std::numeric_limits<float>::quiet_NaN());
+    if(f >= Index(energy_cache.size())) energy_cache.resize(mesh.face_end(), unknown);
     if(std::isnan(energy_cache[f])) energy_cache[f] = float(face_energy(f));
     return energy_cache[f];
   }
-  void forget_energy(Index f)
+
+  // Wanted size of face f over the sum of the sizes at its corners.  It changes little while the
+  // corners move, so that smoothing asks for one size per move instead of five per face; it is
+  // renewed after a few moves.
+  double size_factor(Index f)
   {
-    if(f < Index(energy_cache.size())) energy_cache[f] = std::numeric_limits<float>::quiet_NaN();
+    if(size.is_constant()) return 0.25;
+    if(f >= Index(factor_cache.size())) {
+      factor_cache.resize(mesh.face_end(), unknown);
+      factor_age.resize(mesh.face_end(), 0);
+    }
+    if(std::isnan(factor_cache[f]) || factor_age[f] >= 6) {
+      double sum = 0;
+      for(Index v : mesh.quad(f)) sum += mesh.vertex(v).h;
+      factor_cache[f] = float(size.at_face(corners(f)) / sum);
+      factor_age[f] = 0;
+    }
+    return factor_cache[f];
+  }
+
+  // A corner of face f has moved.
+  void face_moved(Index f)
+  {
+    if(f < Index(energy_cache.size())) energy_cache[f] = unknown;
+    if(f < Index(factor_age.size()) && factor_age[f] < 255) ++factor_age[f];
+  }
+  // Face f is another one now.
+  void face_replaced(Index f)
+  {
+    if(f < Index(energy_cache.size())) energy_cache[f] = unknown;
+    if(f < Index(factor_cache.size())) factor_cache[f] = unknown;
   }
   void forget_energies() { energy_cache.clear(); }
+  void forget_faces()
+  {
+    energy_cache.clear();
+    factor_cache.clear();
+    factor_age.clear();
+  }
+  static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
   // Size ratio of eq. 3, in the sampling in use, against the final size.
   double size_ratio(Index f) const
@@ -144,6 +188,15 @@ struct Adaptation_state
     return is_folded(p, reference) ? normalized(reference) : normalized(area_vector(p));
   }
 
+  // Scaled Jacobian of a face, or how it follows the surface if that is less; -1 where it is
+  // folded over.
+  static double face_quality(const Corners& p, const Facing& reference)
+  {
+    if(is_folded(p, reference.sum)) return -1;
+    return (std::min)(scaled_jacobian(p),
+                      following(reference.mean_cosine(normalized(area_vector(p)))));
+  }
+
   double valence_energy(int faces, const Vertex_record& r) const
   {
     const double d = faces - r.ideal_faces;
@@ -165,7 +218,22 @@ struct Adaptation_state
     r.h = size.at(r.p);
   }
 
-  void count(const char* operation, std::size_t n = 1) { operations[operation] += n; }
+  // `operation` is a literal.
+  void count(const char* operation, std::size_t n = 1)
+  {
+    for(auto& o : operations)
+      if(o.first == operation) {
+        o.second += n;
+        return;
+      }
+    operations.emplace_back(operation, n);
+  }
+  std::map<std::string, std::size_t> operation_counts() const
+  {
+    std::map<std::string, std::size_t> counts;
+    for(const auto& o : operations) counts[o.first] += o.second;
+    return counts;
+  }
 };
 
 } // namespace internal

@@ -138,7 +138,9 @@ public:
 
   double energy_before() const { return energy_before_; }
   double energy_after();
-  // Smallest scaled Jacobian, negative where folded over or a curve is, and largest size ratio.
+  double estimate_after(); // roughly energy_after(), for less
+  // Least quality of a face, negative where one is folded over or a curve is, and largest size
+  // ratio.
   double worst_before() const;
   double worst_after() const;
   double largest_before() const;
@@ -146,9 +148,6 @@ public:
 
   // Replaces the old faces; `touched`, if given, receives the vertices around.
   void commit(std::vector<Index>* touched = nullptr);
-
-  // Scaled Jacobian of a face, -1 where it is folded over.
-  static double worst_corner(const Corners& p, const Vec& reference);
 
 private:
   struct Halfedge_key
@@ -180,12 +179,12 @@ private:
   {
     return { nodes[q.v[0]].p, nodes[q.v[1]].p, nodes[q.v[2]].p, nodes[q.v[3]].p };
   }
-  Vec reference_of(const Cavity_quad& q) const
+  Facing reference_of(const Cavity_quad& q) const
   {
-    Vec n =
-        nodes[q.v[0]].normal + nodes[q.v[1]].normal + nodes[q.v[2]].normal + nodes[q.v[3]].normal;
-    if(n * n < 1e-12 && q.parent >= 0) n = normalized(area_vector(s_.corners(q.parent)));
-    return n;
+    Facing r;
+    for(int v : q.v) r.add(nodes[v].normal);
+    if(r.count == 0 && q.parent >= 0) r.add(normalized(area_vector(s_.corners(q.parent))));
+    return r;
   }
   double floor_of(const Cavity_quad& q) const
   {
@@ -206,6 +205,7 @@ private:
   std::vector<int> old_corners_, new_corners_, total_corners_;
   std::vector<int> fan_count_, old_fan_count_, reached_;
   std::vector<int> corner_start_, corner_list_; // half-edges by origin, for relax()
+  std::vector<double> factors_;                 // wanted size over sum of nodal sizes, by quad
   double energy_before_ = 0;
 };
 

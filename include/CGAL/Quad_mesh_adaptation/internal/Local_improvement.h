@@ -52,15 +52,14 @@ public:
   // The best operation about node v, if any lowers the energy.
   bool improve_at(Index v)
   {
-    double best_change = -s_.energy.min_gain;
+    double best_change = options_.tolerance - s_.energy.min_gain;
     const char* best_name = nullptr;
     for(const Operation_candidate& c : candidates_.collect(v)) {
       if(c.bound >= best_change) continue;
       candidates_.describe(c, *trial_);
       double change = try_cavity(*trial_, best_change);
       if(change >= best_change && change < best_change + options_.halo_below) {
-        candidates_.describe(c, *trial_);
-        trial_->add_halo();
+        trial_->add_halo(); // the nodes around may move, too
         change = try_cavity(*trial_, best_change);
       }
       if(change >= best_change) continue;
@@ -77,12 +76,19 @@ public:
   }
 
 private:
-  // Change of energy, or +infinity where it is not legal.
+  // Change of energy, or more than any bound where it is not legal.
   double try_cavity(Cavity& c, double to_beat)
   {
     constexpr double refused = 1e300;
     if(!c.close()) return refused;
-    c.relax(options_.sweeps);
+    const double hopeless = c.energy_before() + to_beat;
+    for(int sweep = 0; sweep < options_.sweeps; ++sweep) {
+      c.relax(1);
+      const double estimate = c.estimate_after();
+      const bool last = sweep + 1 == options_.sweeps;
+      const double allowed = last ? options_.halo_below + 0.5 : options_.sweep_below;
+      if(estimate > hopeless + allowed) return refused; // half a unit for the estimate's error
+    }
     const double change = c.energy_after() - c.energy_before();
     if(!(change < to_beat)) return change;
     if(c.worst_after() < (std::min)(options_.min_jacobian, c.worst_before())) return refused;

@@ -14,14 +14,35 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// A face as seen from one of its corners, the node that moves.
+// A face as seen from one of its corners, the node that moves, with what does not move with it.
 struct Star_face
 {
-  Vec q1, q2, q3; // the other corners, counter-clockwise
-  Vec reference;  // direction the face should show
-  Vec grad_h;     // of the size, along the face; for the derivative only
-  double floor = 0;
-  double target = 0; // wanted size where the node stands before it moves
+  Vec q1, q2, q3;       // the other corners, counter-clockwise
+  Facing reference;     // where the face should look, without the share of the node
+  Vec grad_h;           // of the size, along the face; for the derivative only
+  double floor = 0;     // of the wanted size, see Vertex_record
+  double factor = 0.25; // wanted size of the face over the sum of the sizes at its corners
+  double sizes = 0;     // sum of the sizes at the other corners
+
+  Vec e1, e3, cross2;    // from q1 to q2, from q3 to q2, edge vectors at q2 multiplied
+  double n1 = 0, n3 = 0; // squared lengths of e1 and e3
+  double l = 0;          // sum of their lengths
+
+  void set_corners(const Vec& a, const Vec& b, const Vec& c)
+  {
+    q1 = a;
+    q2 = b;
+    q3 = c;
+    e1 = b - a;
+    e3 = b - c;
+    cross2 = cross(e3, e1);
+    n1 = e1 * e1;
+    n3 = e3 * e3;
+    l = std::sqrt(n1) + std::sqrt(n3);
+  }
+
+  // Wanted size with size h at the node.
+  double target(double h) const { return (std::max)(factor * (sizes + h), floor); }
 };
 
 // Value, gradient and Hessian in the (at most two) directions a node may move in.
@@ -45,23 +66,19 @@ public:
 
   // Moves r to a better place and tells whether it did.  No corner of the star gets worse than
   // the worst before, or than the floor (smoothing.min_corner).
+  // Precondition: r.h is the size at r.p.
   bool operator()(Vertex_record& r)
   {
     const int dofs = directions(r);
     if(dofs == 0) return false;
-    ask_sizes(r.p);
-    const Evaluation before = evaluate(r.p, r.normal, true);
     Local_model m;
-    for(const Star_face& f : star_) add_derivatives(r, f, dofs, m);
+    const Evaluation before = evaluate(r, dofs, &m);
     double step[2] = { 0, 0 };
     if(!newton_step(m, dofs, step)) return false;
     return line_search(r, dofs, step, before);
   }
 
-  double objective(const Vertex_record& r) const { return evaluate(r.p, r.normal).value; }
-
-  // Moves shorter than this fraction of the edges are not worth a trial.
-  static constexpr double least_move = 5e-4;
+  double objective(const Vertex_record& r) const { return evaluate(r, 0, nullptr).value; }
 
 private:
   static double integer_power(double x, int n)
@@ -72,19 +89,9 @@ private:
     return result;
   }
 
-  // The sizes of the star with the node at x, once for value and derivatives.
-  void ask_sizes(const Vec& x)
-  {
-    const Smoothing_weights& w = s_.smoothing;
-    sized_ = w.size > 0 || w.hinge > 0 || w.keep_within_size;
-    if(!sized_) return;
-    for(Star_face& f : star_) f.target = s_.target({ x, f.q1, f.q2, f.q3 }, f.floor);
-  }
-
   struct Evaluation
   {
     double value = 0, worst = 1; // worst corner t = 2 D / N
-    double largest = 0;          // size ratio
   };
 
   // Basis of the directions r may move in; returns their number.
@@ -103,32 +110,74 @@ private:
     return 2;
   }
 
-  // With `here`, x is where the node stands and the sizes are known.
-  Evaluation evaluate(const Vec& x, const Vec& normal, bool here = false) const
+  // What cost and derivatives of a face need of the node's position.  D and N by corner, from
+  // the node counter-clockwise: n . (a x b) and |a|^2 + |b|^2 of the corner's edges a and b.
+  struct Face_terms
   {
+    Vec a1, a3, n; // from the node to q1 and q3; the face's normal
+    double N[4], D[4], l1, l3, following;
+    bool folded;
+  };
+
+  static void measure_face(const Star_face& f, const Vec& x, const Vec& normal, Face_terms& t)
+  {
+    t.a1 = f.q1 - x;
+    t.a3 = f.q3 - x;
+    const Vec cross0 = cross(t.a1, t.a3), area = cross0 + f.cross2, ref = f.reference.sum + normal;
+    const double a2 = area * area, r2 = ref * ref, both = area * ref;
+    // as in Adaptation_state::is_folded
+    t.folded = r2 > 0.49 && !(both > 0 && both * both > 0.01 * a2 * r2);
+    t.n = t.folded ? ref / std::sqrt(r2) : a2 > 0 ? area / std::sqrt(a2) : Vec(0, 0, 0);
+    const double n1 = t.a1 * t.a1, n3 = t.a3 * t.a3, whole = t.n * area;
+    t.l1 = std::sqrt(n1);
+    t.l3 = std::sqrt(n3);
+    t.N[0] = n1 + n3;
+    t.N[1] = n1 + f.n1;
+    t.N[2] = f.n1 + f.n3;
+    t.N[3] = f.n3 + n3;
+    // opposite corners add up to the cross product of the diagonals
+    t.D[0] = t.n * cross0;
+    t.D[1] = t.n * cross(t.a1, f.e1);
+    t.D[2] = whole - t.D[0];
+    t.D[3] = whole - t.D[1];
+    Facing facing = f.reference;
+    facing.add(normal);
+    t.following = following(facing.mean_cosine(t.n));
+  }
+
+  // The objective with the node at r, and its derivatives if m is given.
+  Evaluation evaluate(const Vertex_record& r, int dofs, Local_model* m) const
+  {
+    const Smoothing_weights& w = s_.smoothing;
+    const bool sized = w.size > 0 || w.hinge > 0;
     Evaluation e;
+    Face_terms t;
     for(const Star_face& f : star_) {
-      const Corners p = { x, f.q1, f.q2, f.q3 };
-      if(Adaptation_state::is_folded(p, f.reference + normal)) e.worst = -1;
-      const Vec n = Adaptation_state::facing(p, f.reference + normal);
+      measure_face(f, r.p, r.normal, t);
+      e.worst = (std::min)(e.worst, t.folded ? -1. : t.following);
       for(int i = 0; i < 4; ++i) {
-        const Vec a = p[(i + 1) & 3] - p[i], b = p[(i + 3) & 3] - p[i];
-        const double N = a * a + b * b, D = n * cross(a, b);
-        e.value += 0.25 * Corner_cost::value(N, D);
-        e.worst = (std::min)(e.worst, N > 0 ? 2 * D / N : -1.);
+        e.value += 0.25 * Corner_cost::value(t.N[i], t.D[i]);
+        e.worst = (std::min)(e.worst, t.N[i] > 0 ? 2 * t.D[i] / t.N[i] : -1.);
       }
-      if(!sized_) continue;
-      const double r = mean_edge_length(p) / (here ? f.target : s_.target(p, f.floor));
-      e.value += size_cost(r);
-      e.largest = (std::max)(e.largest, r);
+      if(m) add_shape(f, t, dofs, *m);
+      if(!sized) continue;
+      const double h = f.target(r.h), ratio = 0.25 * (t.l1 + t.l3 + f.l) / h;
+      double d1, d2;
+      e.value += size_cost(ratio, d1, d2);
+      if(m) add_size(f, t, h, ratio, d1, d2, dofs, *m);
     }
     return e;
   }
 
-  double size_cost(double r) const
+  // Largest size ratio of the star with the node at x, by the exact sizes.
+  double largest_ratio(const Vec& x) const
   {
-    double d1, d2;
-    return size_cost(r, d1, d2);
+    double largest = 0;
+    for(const Star_face& f : star_) {
+      const Corners p = { x, f.q1, f.q2, f.q3 };
+      largest = (std::max)(largest, mean_edge_length(p) / s_.target(p, f.floor));
+    }
+    return largest;
   }
 
   // r^power / 2 up to r = 1.5, then its parabola, so that far too large faces do not swamp all.
@@ -151,27 +200,20 @@ private:
     return v;
   }
 
-  // Derivatives at x of the cost of one face, normals frozen.
-  void add_derivatives(const Vertex_record& r, const Star_face& f, int dofs, Local_model& m) const
+  // Derivatives of the shape cost of one face, normals frozen.  Both edges depend on the node at
+  // corner 0, one at its neighbours, none at corner 2 (but through the normal).
+  void add_shape(const Star_face& f, const Face_terms& t, int dofs, Local_model& m) const
   {
-    const Vec& x = r.p;
-    const Corners p = { x, f.q1, f.q2, f.q3 };
-    const Vec n = Adaptation_state::facing(p, f.reference + r.normal);
-    // N = |a|^2 + |b|^2 and D = n . (a x b) at the corners x, q1 and q3; both edges depend on x
-    // at the first, one at the others
-    add_corner(f.q1 - x, f.q3 - x, 4, 2 * (x - f.q1) + 2 * (x - f.q3), cross(n, f.q3 - f.q1), n,
-               dofs, m);
-    add_corner(f.q2 - f.q1, x - f.q1, 2, 2 * (x - f.q1), cross(n, f.q2 - f.q1), n, dofs, m);
-    add_corner(x - f.q3, f.q2 - f.q3, 2, 2 * (x - f.q3), cross(f.q2 - f.q3, n), n, dofs, m);
-    if(sized_) add_size(p, f, dofs, m);
+    add_corner(t.N[0], t.D[0], 4, -2 * (t.a1 + t.a3), cross(t.n, t.a3 - t.a1), dofs, m);
+    add_corner(t.N[1], t.D[1], 2, -2 * t.a1, cross(t.n, f.e1), dofs, m);
+    add_corner(t.N[3], t.D[3], 2, -2 * t.a3, cross(f.e3, t.n), dofs, m);
   }
 
-  void add_corner(const Vec& a, const Vec& b, double hN, const Vec& gN, const Vec& gD, const Vec& n,
-                  int dofs, Local_model& m) const
+  void add_corner(double N, double D, double hN, const Vec& gN, const Vec& gD, int dofs,
+                  Local_model& m) const
   {
-    const double N = a * a + b * b;
     if(!(N > 0)) return;
-    const double D = n * cross(a, b), t = 2 * D / N;
+    const double t = 2 * D / N;
     // cost as a function of t, then t of N and D
     double c1, c2;
     if(t >= 2 * Corner_cost::flat) {
@@ -197,19 +239,17 @@ private:
       }
   }
 
-  void add_size(const Corners& p, const Star_face& f, int dofs, Local_model& m) const
+  void add_size(const Star_face& f, const Face_terms& t, double h, double r, double d1, double d2,
+                int dofs, Local_model& m) const
   {
-    const double l1 = distance(p[0], p[1]), l3 = distance(p[0], p[3]);
-    if(!(l1 > 0 && l3 > 0)) return;
-    const double h = f.target, r = mean_edge_length(p) / h;
-    double d1, d2;
-    size_cost(r, d1, d2);
-    const Vec u1 = (p[0] - p[1]) / l1, u3 = (p[0] - p[3]) / l3;
+    if(!(t.l1 > 0 && t.l3 > 0)) return;
+    const double l1 = t.l1, l3 = t.l3, slope = h > f.floor ? 4 * f.factor : 0.;
+    const Vec u1 = t.a1 / -l1, u3 = t.a3 / -l3;
     double dr[2], a1[2], a3[2];
     for(int i = 0; i < dofs; ++i) {
       a1[i] = u1 * t_[i];
       a3[i] = u3 * t_[i];
-      dr[i] = 0.25 * (a1[i] + a3[i] - r * (f.grad_h * t_[i])) / h;
+      dr[i] = 0.25 * (a1[i] + a3[i] - r * slope * (f.grad_h * t_[i])) / h;
       m.g[i] += d1 * dr[i];
     }
     for(int i = 0, k = 0; i < dofs; ++i)
@@ -251,7 +291,7 @@ private:
     double length = 0;
     for(int i = 0; i < dofs; ++i) length += step[i] * step[i];
     length = std::sqrt(length);
-    if(!(length > least_move * reach)) return false;
+    if(!(length > 0.25 * s_.smoothing.wake * reach)) return false; // not worth a trial
     double scale = (std::min)(1., 0.5 * reach / length);
     for(int attempt = 0; attempt < 4; ++attempt, scale *= 0.35) {
       Vertex_record t = r;
@@ -260,10 +300,11 @@ private:
       else
         t.p = r.p + (scale * step[0]) * t_[0] + (scale * step[1]) * t_[1];
       s_.place(t);
-      const Evaluation after = evaluate(t.p, t.normal);
+      const Evaluation after = evaluate(t, 0, nullptr);
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
          after.worst >= (std::min)(before.worst, s_.smoothing.min_corner) &&
-         (!s_.smoothing.keep_within_size || after.largest <= (std::max)(before.largest, 1.))) {
+         (!s_.smoothing.keep_within_size ||
+          largest_ratio(t.p) <= (std::max)(largest_ratio(r.p), 1.))) {
         r = t;
         return true;
       }
@@ -274,7 +315,6 @@ private:
   const Adaptation_state& s_;
   std::vector<Star_face> star_;
   mutable Vec t_[2];
-  bool sized_ = true; // do sizes count at all?
 };
 
 // Gradient of the size along a face from its values at the corners (least squares on the

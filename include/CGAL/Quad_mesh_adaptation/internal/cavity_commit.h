@@ -50,11 +50,11 @@ inline void Cavity::write_faces(std::vector<Index>& face_of)
       m.set_quad(face_of[k], q);
       m.set_patch(face_of[k], patch[k]);
     }
-    s_.forget_energy(face_of[k]);
+    s_.face_replaced(face_of[k]);
   }
   for(Index f : old_faces) {
     face_mark_[f] = 0;
-    s_.forget_energy(f);
+    s_.face_replaced(f);
   }
   old_faces.clear();
 }

@@ -30,11 +30,29 @@ inline double Cavity::energy_after()
   return e;
 }
 
+// The same with sizes interpolated between the nodes, by the factor of the face each quad comes
+// from: cheap, and near enough to tell hopeless from promising.
+inline double Cavity::estimate_after()
+{
+  double e = 0;
+  for(std::size_t n = 0; n < nodes.size(); ++n)
+    if(new_corners_[n] > 0) e += s_.valence_energy(total_corners_[n], nodes[n]);
+  factors_.resize(quads.size());
+  for(std::size_t k = 0; k < quads.size(); ++k) {
+    const Cavity_quad& q = quads[k];
+    factors_[k] = q.parent >= 0 ? s_.size_factor(q.parent) : 0.25;
+    const double sizes = nodes[q.v[0]].h + nodes[q.v[1]].h + nodes[q.v[2]].h + nodes[q.v[3]].h;
+    e += s_.face_energy_for(corners_of(q), reference_of(q),
+                            (std::max)(factors_[k] * sizes, floor_of(q)));
+  }
+  return e;
+}
+
 inline double Cavity::worst_before() const
 {
   double worst = 1;
   for(Index f : old_faces)
-    worst = (std::min)(worst, worst_corner(s_.corners(f), s_.reference_normal(f)));
+    worst = (std::min)(worst, s_.face_quality(s_.corners(f), s_.reference_normal(f)));
   return worst;
 }
 
@@ -43,7 +61,7 @@ inline double Cavity::worst_after() const
   if(!curves_in_order()) return -2; // below any face
   double worst = 1;
   for(const Cavity_quad& q : quads)
-    worst = (std::min)(worst, worst_corner(corners_of(q), reference_of(q)));
+    worst = (std::min)(worst, s_.face_quality(corners_of(q), reference_of(q)));
   return worst;
 }
 
@@ -91,13 +109,11 @@ inline double Cavity::largest_after() const
   return largest;
 }
 
-inline double Cavity::worst_corner(const Corners& p, const Vec& reference)
-{
-  return Adaptation_state::is_folded(p, reference) ? -1. : scaled_jacobian(p);
-}
-
 inline void Cavity::relax(int sweeps)
 {
+  factors_.resize(quads.size());
+  for(std::size_t k = 0; k < quads.size(); ++k)
+    factors_[k] = quads[k].parent >= 0 ? s_.size_factor(quads[k].parent) : 0.25;
   corner_start_.assign(nodes.size() + 1, 0);
   for(const Cavity_quad& q : quads)
     for(int v : q.v) ++corner_start_[v + 1];
@@ -125,10 +141,11 @@ inline void Cavity::gather(int n, int first, int last)
     const Vertex_record &x = nodes[n], &a = nodes[q.v[(h + 1) & 3]], &b = nodes[q.v[(h + 2) & 3]],
                         &c = nodes[q.v[(h + 3) & 3]];
     Star_face f;
-    f.q1 = a.p;
-    f.q2 = b.p;
-    f.q3 = c.p;
-    f.reference = reference_of(q) - x.normal;
+    f.set_corners(a.p, b.p, c.p);
+    f.factor = factors_[h >> 2];
+    f.sizes = a.h + b.h + c.h;
+    f.reference = Facing();
+    for(const Vertex_record* r : { &a, &b, &c }) f.reference.add(r->normal);
     f.floor = floor_of(q);
     f.grad_h = s_.size.is_constant()
                    ? Vec(0, 0, 0)

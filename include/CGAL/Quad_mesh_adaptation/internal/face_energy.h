@@ -50,12 +50,11 @@ struct Corner_cost
   static double value(double N, double D)
   {
     if(!(N > 0)) return limit();
-    const double t = 2 * D / N; // in [-1, 1]
-    if(t >= 2 * flat) {
-      const double s = 1 / t - 1;
-      return s + s * s;
+    if(D >= flat * N) {
+      const double i = N / (2 * D); // s + 1
+      return i * (i - 1);
     }
-    return at_flat() + slope() * (2 * flat - t);
+    return at_flat() + slope() * (2 * flat - 2 * D / N);
   }
   static double at_flat()
   {
@@ -73,22 +72,46 @@ struct Corner_cost
 // Mean corner cost of a face, measured along the unit normal n.
 inline double shape_cost(const Corners& p, const Vec& n)
 {
-  double sum = 0;
-  for(int i = 0; i < 4; ++i) {
-    const Vec a = p[(i + 1) & 3] - p[i], b = p[(i + 3) & 3] - p[i];
-    sum += Corner_cost::value(a * a + b * b, n * cross(a, b));
-  }
-  return 0.25 * sum;
+  const Vec e[4] = { p[1] - p[0], p[2] - p[1], p[3] - p[2], p[0] - p[3] };
+  const double l[4] = { e[0] * e[0], e[1] * e[1], e[2] * e[2], e[3] * e[3] };
+  // opposite corners add up to the cross product of the diagonals
+  const double d0 = n * cross(e[3], e[0]), d1 = n * cross(e[0], e[1]), both = n * area_vector(p);
+  return 0.25 *
+         (Corner_cost::value(l[3] + l[0], d0) + Corner_cost::value(l[0] + l[1], d1) +
+          Corner_cost::value(l[1] + l[2], both - d0) + Corner_cost::value(l[2] + l[3], both - d1));
 }
 
+// Where a face should look: the unit normals of the reference surface at its corners, added up.
+// Corners on curves of a curved surface have none.
+struct Facing
+{
+  Vec sum = Vec(0, 0, 0);
+  int count = 0;
+
+  void add(const Vec& normal)
+  {
+    sum = sum + normal;
+    if(normal * normal > 0) ++count;
+  }
+  // Mean cosine between the unit normal n of a face and those of the surface at its corners: 1 on
+  // a plane, 0.71 for a cylinder of four faces.
+  double mean_cosine(const Vec& n) const { return count > 0 ? n * sum / count : 1.; }
+};
+
+// How well a face follows the surface, on the scale of the scaled Jacobian: 0.5 where its normal
+// leaves that of the surface by 68 degrees on average.
+inline double following(double mean_cosine) { return 3 * (mean_cosine - 0.2); }
+
 // The weights of the one energy that coarsening, clean-up and polishing lower:
-//   E = sum over faces (1 + shape * cost + oversize(r)) + valence * sum over nodes (n - ideal)^2
+//   E = sum over faces (1 + shape * cost + oversize(r) + turn(c)) + valence * sum over nodes
+//       (n - ideal)^2
 struct Energy_weights
 {
   double face = 1;        // what a face costs
   double shape = 0.5;     // times the mean corner cost
   double oversize = 4;    // faces larger than wanted
-  double valence = 1.25;  // irregular nodes
+  double turn = 20;       // faces that do not follow the surface
+  double valence = 1.4;   // irregular nodes
   double tolerated = 1;   // size ratio above which a face is too large
   double min_gain = 1e-3; // every accepted operation lowers E by at least this
 
@@ -97,6 +120,12 @@ struct Energy_weights
   {
     const double x = r / tolerated;
     return x > 1 ? oversize * (x * x * x - 1) : 0.;
+  }
+
+  double turn_cost(double mean_cosine) const
+  {
+    const double x = (std::max)(0.6 - mean_cosine, 0.);
+    return turn * x * x;
   }
 };
 

@@ -25,7 +25,9 @@ struct Improvement_options
   bool keep_within_size = false; // no operation may leave a face above its size
   double min_jacobian = 0.5;     // no face may fall below min(this, worst before)
   int sweeps = 2;                // of the local relaxation
-  double halo_below = 2; // try again with more nodes free to move where this close to a gain
+  double sweep_below = 8;        // relax further only what is this close to a gain after one sweep
+  double halo_below = 6; // try again with more nodes free to move where this close to a gain
+  double tolerance = 0;  // an operation may raise the energy by this much
 };
 
 enum class Operation_kind
@@ -147,9 +149,15 @@ private:
     return sum;
   }
 
+  // Would v be left with too few faces if it lost one?
+  bool loses_last(Index v) const
+  {
+    return s_.mesh.vertex(v).faces <= (s_.mesh.is_border_vertex(v) ? 1 : 3);
+  }
+
   void add(Operation_kind k, Index h, Index g, double bound)
   {
-    if(bound < -s_.energy.min_gain) candidates_.push_back({ k, h, g, bound });
+    if(bound < options_.tolerance - s_.energy.min_gain) candidates_.push_back({ k, h, g, bound });
   }
 
   void collect_closes()
@@ -165,7 +173,7 @@ private:
                      valence_change(e, -1);
       if(bound > 1e5) continue;
       bound -= slack(a) + slack(c) - (s_.cached_energy(m.face(h)) - s_.energy.face);
-      if(bound < -s_.energy.min_gain && is_face_close_allowed(s_, h))
+      if(bound < options_.tolerance - s_.energy.min_gain && is_face_close_allowed(s_, h))
         add(Operation_kind::close, h, -1, bound);
     }
   }
@@ -185,7 +193,7 @@ private:
         const double bound = base + s_.energy.valence * fresh * fresh +
                              valence_change(v, 1 - sector) + valence_change(m.target(ha), 1) +
                              valence_change(m.target(hb), 1);
-        if(bound < -s_.energy.min_gain && is_face_open_allowed(s_, ha, hb))
+        if(bound < options_.tolerance - s_.energy.min_gain && is_face_open_allowed(s_, ha, hb))
           add(Operation_kind::open, ha, hb, bound);
       }
   }
@@ -194,7 +202,7 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     for(Index h : out_) {
-      if(!is_edge_swap_allowed(s_, h)) continue;
+      if(!is_edge_swap_allowed(s_, h) || loses_last(v) || loses_last(m.target(h))) continue;
       const Index o = m.opposite(h), u = m.target(h);
       const double base =
           valence_change(v, -1) + valence_change(u, -1) -
@@ -213,7 +221,7 @@ private:
     double bound = -slack(v);
     for(Index h : out_)
       bound += valence_change(m.target(h), -1) + valence_change(m.target(m.next(h)), 1);
-    if(bound < -s_.energy.min_gain && is_vertex_rotation_allowed(s_, v))
+    if(bound < options_.tolerance - s_.energy.min_gain && is_vertex_rotation_allowed(s_, v))
       add(Operation_kind::rotate, v, -1, bound);
   }
 
@@ -224,7 +232,7 @@ private:
     const double ends = s_.cached_energy(m.face(b.left)) + s_.cached_energy(m.face(b.right));
     const double split = 6 * s_.energy.face + 2 * s_.energy.valence + valence_change(b.p, 1) +
                          valence_change(b.q, 1) - ends;
-    if(split < -s_.energy.min_gain && is_border_split_allowed(s_, b))
+    if(split < options_.tolerance - s_.energy.min_gain && is_border_split_allowed(s_, b))
       add(Operation_kind::border_split, b.v, -1, split);
     if(!is_half_ring_collapse_allowed(s_, b)) return;
     const auto own = [&](Index u) { return s_.valence_energy(m.vertex(u).faces, m.vertex(u)); };

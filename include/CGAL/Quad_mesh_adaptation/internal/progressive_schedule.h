@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
 #include <cstddef>
@@ -48,6 +49,18 @@ inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& 
   smooth(s, 5);
 }
 
+// Clean-up that may raise the energy by a little, from round to round by less (threshold accepting,
+// Dueck and Scheuer 1990).  It carries irregular nodes over the small barriers between them, so
+// that pairs meet and vanish, which strict descent never does.  Each round visits a node at most
+// twice, so this ends by construction like all else.
+inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance, int rounds)
+{
+  for(int round = 0; round < rounds; ++round) {
+    o.tolerance = tolerance * (rounds - round) / rounds;
+    clean_up(s, o, 2, 4);
+  }
+}
+
 // Rounds of clean-up against the final sizes, with smoothing that presses the last faces below
 // their size from the third round on.
 inline void polish(Adaptation_state& s, const Improvement_options& clean, int rounds)
@@ -71,8 +84,7 @@ inline bool is_adapted(const Adaptation_state& s)
   const Quad_complex& m = s.mesh;
   if(!faces_too_large(s).empty() || fraction_below(s, 0.7) > 0.01) return false;
   for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f) &&
-       Cavity::worst_corner(s.corners(f), s.reference_normal(f)) < s.smoothing.min_corner)
+    if(m.is_face(f) && s.face_quality(s.corners(f), s.reference_normal(f)) < s.smoothing.min_corner)
       return false;
   for(Index v = 0; v < m.vertex_end(); ++v)
     if(m.is_vertex(v) && m.vertex(v).carrier == Carrier::surface &&
@@ -94,9 +106,11 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   s.progress = 0.3;
   refine_progressively(s, Marking_options(), clean, max_iterations);
   s.progress = 0.6;
+  anneal(s, clean, 2.5, 10);
   polish(s, clean, 6);
   s.progress = 0.9;
-  enforce_sizes(s, clean, 12);
+  enforce_sizes(s, clean, 16);
+  mend_shapes(s, clean, 9);
   s.progress = 1;
 }
 

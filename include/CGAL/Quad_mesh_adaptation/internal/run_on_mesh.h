@@ -103,7 +103,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     report.after = measure_state(s, reference);
     s.report_progress(1);
     report.iterations = s.iterations;
-    for(const auto& o : s.operations) report.operations.push_back({ o.first, o.second });
+    for(const auto& o : s.operation_counts()) report.operations.push_back({ o.first, o.second });
     s.size.scale_by(1);
     const std::vector<Index> large = faces_too_large(s, largest_allowed(aim));
     judge_sizes(report, paper, aim, large.size());

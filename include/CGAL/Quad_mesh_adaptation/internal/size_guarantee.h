@@ -139,7 +139,9 @@ inline void split_and_clean(Adaptation_state& s, const Improvement_options& o,
 {
   if(split_too_large(s, large) == 0) return;
   smooth(s, 2);
-  Local_improvement improvement(s, o);
+  Improvement_options careful = o;
+  careful.keep_within_size = true;
+  Local_improvement improvement(s, careful);
   improvement.activate_all();
   for(int pass = 0; pass < 4; ++pass)
     if(improvement.pass() == 0) break;
@@ -158,7 +160,7 @@ inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options&
   double weight = 2;
   for(int round = 0; round < max_rounds && !large.empty(); ++round, weight *= 1.7) {
     s.check_cancelled();
-    if(round % 6 == 5) split_and_clean(s, o, large);
+    if(round % 4 == 2 && round > 2) split_and_clean(s, o, large);
     s.smoothing.min_corner = 0.3;
     s.smoothing.hinge = 2000 * (std::min)(weight, 20.);
     s.energy.oversize = energy.oversize * (std::min)(weight, 100.);

@@ -14,7 +14,7 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // Gathers the star of v for a relaxation.
-inline void gather_star(const Adaptation_state& s, Index v, std::vector<Star_face>& star)
+inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& star)
 {
   star.clear();
   const Quad_complex& m = s.mesh;
@@ -24,10 +24,10 @@ inline void gather_star(const Adaptation_state& s, Index v, std::vector<Star_fac
     const Index a = m.target(h), b = m.target(m.next(h)), c = m.origin(m.prev(h));
     const Vertex_record &x = m.vertex(v), &ra = m.vertex(a), &rb = m.vertex(b), &rc = m.vertex(c);
     Star_face f;
-    f.q1 = ra.p;
-    f.q2 = rb.p;
-    f.q3 = rc.p;
-    f.reference = ra.normal + rb.normal + rc.normal;
+    f.set_corners(ra.p, rb.p, rc.p);
+    f.factor = s.size_factor(m.face(h));
+    f.sizes = ra.h + rb.h + rc.h;
+    for(const Vertex_record* r : { &ra, &rb, &rc }) f.reference.add(r->normal);
     f.floor = 0.25 * (x.floor + ra.floor + rb.floor + rc.floor);
     f.grad_h = s.size.is_constant()
                    ? Vec(0, 0, 0)
@@ -52,11 +52,11 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
   }
   Index h = r.halfedge;
   do {
-    s.forget_energy(s.mesh.face(h));
+    s.face_moved(s.mesh.face(h));
     h = s.mesh.turn_left(h);
   } while(h >= 0 && h != r.halfedge);
   const double edge = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
-  return distance(r.p, old.p) > 2e-3 * edge;
+  return distance(r.p, old.p) > s.smoothing.wake * edge;
 }
 
 // The nodes of all faces about v are worth a visit.

@@ -103,7 +103,7 @@ public:
     for(Index f = 0; f < faces; ++f)
       if(m.is_face(f) && cut_face(f)) ++cut;
     if(cut == 0) return 0;
-    s_.forget_energies();
+    s_.forget_faces();
     s_.disturb_all();
     m.link();
     s_.count("template refinement", cut);

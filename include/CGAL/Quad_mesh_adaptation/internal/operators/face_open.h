@@ -33,18 +33,29 @@ inline void describe_face_open(Adaptation_state& s, Index ha, Index hb, Cavity& 
   cavity.add_old_star(v);
   const int lv = cavity.node(v), la = cavity.node(m.target(ha)), lb = cavity.node(m.target(hb));
   std::vector<Index> sector; // faces from ha to hb, which take the new node
-  Vec pull(0, 0, 0);
+  Vec ahead(0, 0, 0), behind(0, 0, 0);
   for(Index h = ha; h != hb; h = m.turn_left(h)) {
     sector.push_back(m.face(h));
-    pull = pull + m.point(m.target(m.next(h)));
+    ahead = ahead + m.point(m.target(m.next(h)));
   }
+  int rest = 0;
+  for(Index h = hb; h >= 0 && h != ha; h = m.turn_left(h), ++rest)
+    behind = behind + m.point(m.target(m.next(h)));
   Vertex_record fresh = m.vertex(v);
   fresh.carrier = Carrier::surface;
   fresh.curve = -1;
   fresh.frozen = false;
   fresh.ideal_faces = 4;
-  fresh.p = 0.6 * fresh.p + (0.4 / double(sector.size())) * pull;
+  // both nodes step back from the new face, so that it is open from the start
+  const bool both = m.vertex(v).carrier == Carrier::surface && !m.vertex(v).frozen && rest > 0;
+  const double step = both ? 0.3 : 0.4;
+  fresh.p = (1 - step) * fresh.p + (step / double(sector.size())) * ahead;
   s.place(fresh);
+  if(both) {
+    Vertex_record& old = cavity.nodes[lv];
+    old.p = (1 - step) * old.p + (step / rest) * behind;
+    s.place(old);
+  }
   const int lw = cavity.add_new_node(fresh);
   const std::vector<Index> faces = cavity.old_faces;
   for(Index f : faces) {
