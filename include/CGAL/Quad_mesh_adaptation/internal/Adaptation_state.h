@@ -38,6 +38,7 @@ struct Smoothing_weights
   double hinge = 0; // switched on for the last sweeps
   double hinge_at = 0.985;
   double wake = 0.003;           // neighbours look again after moves above this share of an edge
+  double stir = 0.02;            // and operations about the node are tried again above this one
   bool keep_within_size = false; // no move leaves a face above its size that was not
   double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)
 };
@@ -118,6 +119,16 @@ struct Adaptation_state
     restless[v] = 1;
   }
   void disturb_all() { restless.assign(mesh.vertex_end(), 1); }
+
+  // Nodes about which enough has changed for another operation to pay.
+  std::vector<char> stirred;
+
+  void stir(Index v)
+  {
+    if(v >= Index(stirred.size())) stirred.resize(mesh.vertex_end(), 1);
+    stirred[v] = 1;
+  }
+  void stir_all() { stirred.assign(mesh.vertex_end(), 1); }
 
   double cached_energy(Index f)
   {

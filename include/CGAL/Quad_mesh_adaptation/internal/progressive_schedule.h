@@ -28,7 +28,7 @@ inline void refine_progressively(Adaptation_state& s, const Marking_options& mar
       set_floors(s);
       smooth(s, 3);
     }
-    clean_up(s, clean, 4, 3);
+    clean_up(s, clean, 1, 3);
   }
   clear_floors(s);
 }
@@ -55,9 +55,10 @@ inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& 
 // twice, so this ends by construction like all else.
 inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance, int rounds)
 {
+  s.stir_all();
   for(int round = 0; round < rounds; ++round) {
     o.tolerance = tolerance * (rounds - round) / rounds;
-    clean_up(s, o, 2, 4);
+    clean_up_stirred(s, o, 2, 4);
   }
 }
 
@@ -71,7 +72,7 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
       s.smoothing.hinge = 2000;
       s.disturb_all();
     }
-    const std::size_t done = clean_up(s, clean, 6, 4);
+    const std::size_t done = clean_up_stirred(s, clean, 6, 4);
     if(done == 0 && round >= 3) break;
   }
   s.smoothing.hinge = hinge;
@@ -107,10 +108,9 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   refine_progressively(s, Marking_options(), clean, max_iterations);
   s.progress = 0.6;
   anneal(s, clean, 2.5, 10);
-  polish(s, clean, 6);
+  polish(s, clean, 5);
   s.progress = 0.9;
-  enforce_sizes(s, clean, 16);
-  mend_shapes(s, clean, 9);
+  enforce_sizes_and_shapes(s, clean);
   s.progress = 1;
 }
 
