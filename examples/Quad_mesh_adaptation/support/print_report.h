@@ -118,6 +118,7 @@ inline void print_report(std::ostream& out,
     out << '\n';
     print_times(out, report);
   }
+  for(const std::string& sentence : report.advice) out << "Note: " << sentence << '\n';
   out << "Result " << name_of(report.status) << " after " << report.iterations << " iterations";
   if(!report.message.empty()) out << ": " << report.message;
   out << '\n';

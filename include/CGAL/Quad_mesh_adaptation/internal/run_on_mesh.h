@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
@@ -30,6 +31,17 @@ inline void refuse_too_many(double faces)
   std::ostringstream text;
   text << "the sizes ask for about " << faces << " faces, more than the limit of 1e8";
   throw Refused{ Refusal::invalid_size, text.str(), -1, -1 };
+}
+
+// Tells the caller where the sizes grow faster than quads can follow.
+inline void advise_on_sizes(const Input_mesh& in, const Size_sampler& sizes,
+                            Adaptation_report& report)
+{
+  if(sizes.is_constant()) return;
+  report.size_growth = measure_size_growth(in.points, in.quads,
+                                           [&sizes](const Vec& p) { return sizes.unscaled(p); });
+  const std::string text = advice_on(report.size_growth);
+  if(!text.empty()) report.advice.push_back(text);
 }
 
 template <typename Vertex, typename QuadMesh>
@@ -99,6 +111,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     State_builder(in, features, s)(reference ? &*reference : nullptr);
     report.before = measure_state(s, reference);
     refuse_too_many(report.before.ideal_number_of_faces);
+    advise_on_sizes(in, s.size, report);
     algorithm(s, report);
     report.after = measure_state(s, reference);
     s.report_progress(1);
