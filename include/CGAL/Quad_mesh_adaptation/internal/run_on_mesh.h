@@ -77,6 +77,19 @@ std::vector<std::size_t> positions_of(const std::vector<Index>& faces_of_state,
 // larger by this factor they come to lie around one.
 constexpr double nearest_scale = 1.045;
 
+inline double scale_of(Aim aim) { return aim == Aim::nearest ? nearest_scale : 1.; }
+
+template <typename NamedParameters>
+Feature_options decode_features(const NamedParameters& np)
+{
+  Feature_options features;
+  features.feature_angle = parameters::choose_parameter(
+      parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
+  if(!(features.feature_angle > 0))
+    throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
+  return features;
+}
+
 // What every public function does around its algorithm: import and check, build the state, run
 // `algorithm(state)`, measure, and only then write back.
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
@@ -97,16 +110,12 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     Adaptation_state s;
     s.size = make_sampler<typename Decoded::Point>(sizing);
     if(paper) s.size.sampling = Size_sampling::centre;
-    if(aim == Aim::nearest) s.size.scale_by(nearest_scale);
+    s.size.scale_by(scale_of(aim));
     Input_mesh in;
     Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm)> import(mesh, vpm, ecm, vcm);
     import(faces, is_region, in, descriptors);
     const std::optional<Triangle_soup> reference = decode_reference(np);
-    Feature_options features;
-    features.feature_angle = parameters::choose_parameter(
-        parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
-    if(!(features.feature_angle > 0))
-      throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
+    const Feature_options features = decode_features(np);
     observe(np, s, clock);
     State_builder(in, features, s)(reference ? &*reference : nullptr);
     report.before = measure_state(s, reference);
