@@ -59,12 +59,16 @@ public:
         np);
   }
 
-  /// Faces of this size leave the surface by about `error`: the edges along the larger principal
-  /// curvature k and the centres of the faces, which do so by (k1 + k2) h^2 / 8 in whatever
-  /// direction the edges run.  So h = 2 sqrt(e (2 / k - e)), about sqrt(8 e / k), k being the
-  /// largest of |k1|, |k2| and |k1 + k2|.
+  /// Faces that leave the surface by at most about `error`, in units of the coordinates.
   ///
-  /// Parameters and errors as above; `error` is in units of the coordinates and positive.
+  /// An edge of length h along the larger principal curvature does so by k h^2 / 8, and the centre
+  /// of a face by (k1 + k2) h^2 / 8, in whatever direction its edges run.  So
+  /// h = 2 sqrt(e (2 / k - e)), about sqrt(8 e / k), k being the largest of |k1|, |k2| and
+  /// |k1 + k2|.  Sizes bound the mean edge of a face, and single edges are up to a third longer:
+  /// e is taken as `error` / 1.8, so that the largest errors and not the mean come to `error`.
+  /// No bound: check where it matters.
+  ///
+  /// Parameters and errors as above; `error` is positive.
   template <class PolygonMesh, class NP = parameters::Default_named_parameters>
   static Curvature_sizing_field chord_error(const PolygonMesh& mesh, double error,
                                             const Size_range& range = Size_range(),
@@ -75,7 +79,7 @@ public:
     return Curvature_sizing_field(
         mesh,
         [error](const internal::Vertex_curvature& k) {
-          const double radius = 1 / k.deviation, e = (std::min)(error, radius);
+          const double radius = 1 / k.deviation, e = (std::min)(error / longer_edges, radius);
           return 2 * std::sqrt(e) * std::sqrt(2 * radius - e);
         },
         range, np);
@@ -89,6 +93,8 @@ public:
   }
 
 private:
+  static constexpr double longer_edges = 1.8;
+
   template <class PolygonMesh, class SizeOfCurvature, class NP>
   Curvature_sizing_field(const PolygonMesh& mesh, const SizeOfCurvature& size, Size_range range,
                          const NP& np)

@@ -7,17 +7,27 @@
 #include <CGAL/Quad_mesh_adaptation/Size_range.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 
+namespace internal {
+
+// A value that is no number stays, whatever comes after it, so that it is refused by whoever asks.
+inline double smaller_or_nan(double a, double b) { return a <= b || std::isnan(a) ? a : b; }
+inline double larger_or_nan(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+
+} // namespace internal
+
 /// \brief The smallest of several sizing fields at each point: every wish is respected.
 ///
 /// Each field is a number or a callable `double(const Point_3&)`, kept by value; so the fields of
-/// this header nest.  What the fields throw passes through.
+/// this header nest.  A value that is not a number is passed on.  What the fields throw passes
+/// through.
 template <class... SizingFields>
 class Minimum_sizing_field
 {
@@ -29,8 +39,13 @@ public:
   template <class Point>
   double operator()(const Point& p) const
   {
-    return std::apply([&p](const auto&... f) { return (std::min)({ internal::size_at(f, p)... }); },
-                      fields_);
+    return std::apply(
+        [&p](const auto&... f) {
+          double result = std::numeric_limits<double>::infinity();
+          ((result = internal::smaller_or_nan(result, internal::size_at(f, p))), ...);
+          return result;
+        },
+        fields_);
   }
 
 private:
@@ -50,8 +65,13 @@ public:
   template <class Point>
   double operator()(const Point& p) const
   {
-    return std::apply([&p](const auto&... f) { return (std::max)({ internal::size_at(f, p)... }); },
-                      fields_);
+    return std::apply(
+        [&p](const auto&... f) {
+          double result = -std::numeric_limits<double>::infinity();
+          ((result = internal::larger_or_nan(result, internal::size_at(f, p))), ...);
+          return result;
+        },
+        fields_);
   }
 
 private:
@@ -70,12 +90,11 @@ public:
     range.check();
   }
 
-  /// A value that is no number stays one, so that it is refused by whoever asks.
   template <class Point>
   double operator()(const Point& p) const
   {
     const double h = internal::size_at(field_, p);
-    return h == h ? range_.clamp(h) : h;
+    return std::isnan(h) ? h : range_.clamp(h);
   }
 
 private:

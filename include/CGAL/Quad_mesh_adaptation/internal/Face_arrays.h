@@ -53,6 +53,12 @@ struct Face_arrays
     for(Index h = first[f]; h < first[f + 1]; ++h) sum = sum + source(h);
     return sum / double(first[f + 1] - first[f]);
   }
+  double area() const
+  {
+    double sum = 0;
+    for(Index f = 0; f < number_of_faces(); ++f) sum += norm(area_vector(f));
+    return sum;
+  }
   // Of the box around all points.
   double diagonal() const
   {
