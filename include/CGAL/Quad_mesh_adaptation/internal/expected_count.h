@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -39,6 +40,24 @@ inline Curve_edges curve_edges(const Adaptation_state& s)
   return sum;
 }
 
+// Sizes that hardly vary against the faces: each is halved as often as all others, and the pattern
+// stays if no more than one of a hundred is then so small that coarsening begins.  The number of
+// faces then, 0 if this is not so.
+inline double count_of_even_halvings(const Adaptation_state& s)
+{
+  constexpr double too_small = 0.7, tolerated = 0.01;
+  const Quad_complex& m = s.mesh;
+  std::vector<double> ratios;
+  for(Index f = 0; f < m.face_end(); ++f)
+    if(m.is_face(f)) ratios.push_back(s.size_ratio(f));
+  const double largest = *std::max_element(ratios.begin(), ratios.end());
+  const double parts = std::exp2(std::ceil(std::log2(largest) - 1e-9)); // per edge
+  if(!(parts > 1)) return 0;
+  const auto small =
+      std::count_if(ratios.begin(), ratios.end(), [=](double r) { return r < too_small * parts; });
+  return double(small) > tolerated * double(ratios.size()) ? 0. : parts * parts * ratios.size();
+}
+
 // How many faces the default schedule makes, from the state before it.  The factors are fitted to
 // 90 runs on the meshes of the benchmark and of the tests' shapes with uniform, smooth and steep
 // sizes:
@@ -52,6 +71,8 @@ inline double expected_count(const Adaptation_state& s, double ideal_number_of_f
 {
   constexpr double per_face = 1.08, per_border_edge = 0.12, per_inner_edge = 0.86, per_slope = 0.35;
   if(is_adapted(s)) return double(s.mesh.number_of_faces());
+  const double even = count_of_even_halvings(s);
+  if(even > 0) return even;
   const Curve_edges edges = curve_edges(s);
   const double faces =
       (per_face + per_slope * mean_square_slope) * ideal_number_of_faces / (scale * scale);
