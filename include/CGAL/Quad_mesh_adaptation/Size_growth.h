@@ -31,9 +31,9 @@ struct Size_growth
   std::array<double, 3> where = {}; ///< the middle of the samples with the largest slope
   /// Mean of the square over the ideal faces; slopes above one count as one.
   double mean_square_slope = 0;
-  double steep_area_share = 0;      ///< share of the area with a slope above `followed_slope`
-  double steep_faces_share = 0;     ///< the same, as share of the ideal number of faces
-  double steep_faces = 0;           ///< the ideal number of faces there
+  double steep_area_share = 0;  ///< share of the area with a slope above `followed_slope`
+  double steep_faces_share = 0; ///< the same, as share of the ideal number of faces
+  double steep_faces = 0;       ///< the ideal number of faces there
   double largest_jump = 1; ///< largest ratio of the sizes at neighbouring samples that are steep
 
   /// Is there at least a face's worth of surface that is too steep, or a jump?

@@ -59,8 +59,8 @@ inline double count_of_even_halvings(const Adaptation_state& s)
 }
 
 // How many faces the default schedule makes, from the state before it.  The factors are fitted to
-// some 70 runs on the meshes of the benchmark and of the tests' shapes with uniform, smooth and steep
-// sizes:
+// some 70 runs on the meshes of the benchmark and of the tests' shapes with uniform, smooth and
+// steep sizes:
 // - each ideal face costs 1.08, since the largest faces and not their mean must reach the size;
 // - a border rounds the rows along it up to whole faces, and a crease holds the pattern on both of
 //   its sides to the same edges;
