@@ -117,7 +117,10 @@ inline void print_report(std::ostream& out,
     print_valences(out, report.before, report.after);
     out << '\n';
     print_times(out, report);
+    if(report.expected_number_of_faces > 0)
+      out << format("Faces expected beforehand %.0f\n", report.expected_number_of_faces);
   }
+  for(const std::string& sentence : report.advice) out << "Note: " << sentence << '\n';
   out << "Result " << name_of(report.status) << " after " << report.iterations << " iterations";
   if(!report.message.empty()) out << ": " << report.message;
   out << '\n';

@@ -55,6 +55,14 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Mesh_mea
   };
 }
 
+inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Size_growth& g)
+{
+  return { { "largest_slope", g.largest_slope },         { "where", g.where },
+           { "followed_slope", g.followed_slope },       { "steep_area_share", g.steep_area_share },
+           { "steep_faces_share", g.steep_faces_share }, { "steep_faces", g.steep_faces },
+           { "largest_jump", g.largest_jump },           { "is_too_steep", g.is_too_steep() } };
+}
+
 /// The whole report; numbers that are not finite become null.
 inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptation_report& report)
 {
@@ -66,6 +74,9 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptati
            { "reason", name_of(report.reason) },
            { "message", report.message },
            { "entity", report.entity },
+           { "expected_number_of_faces", report.expected_number_of_faces },
+           { "advice", report.advice },
+           { "size_growth", to_json(report.size_growth) },
            { "iterations", report.iterations },
            { "before", to_json(report.before) },
            { "after", to_json(report.after) },

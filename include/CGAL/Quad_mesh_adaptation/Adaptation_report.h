@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_ADAPTATION_REPORT_H
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+#include <CGAL/Quad_mesh_adaptation/Size_growth.h>
 
 #include <array>
 #include <cstddef>
@@ -67,7 +68,14 @@ struct Adaptation_report
   long entity = -1;
 
   Mesh_measures before, after; ///< filled unless the input was refused
-  std::size_t iterations = 0;  ///< passes of the driver's loop
+  /// What `expected_number_of_faces()` says, made before the work; `adapt_quad_mesh()` with the
+  /// default schedule only, otherwise 0.
+  double expected_number_of_faces = 0;
+  /// How fast the given size grows over the input mesh; filled unless the input was refused.
+  Size_growth size_growth;
+  /// Sentences for a person on what could be asked for better, no errors; without final full stop.
+  std::vector<std::string> advice;
+  std::size_t iterations = 0; ///< passes of the driver's loop
   std::vector<Operation_count> operations;
   std::vector<Phase_time> times;
   /// Faces larger than asked at the end, as positions in the iteration order of the mesh's faces.

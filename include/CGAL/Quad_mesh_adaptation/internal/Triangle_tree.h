@@ -62,6 +62,17 @@ public:
              std::size_t(found.second - triangles_.cbegin()) };
   }
 
+  // The first triangle on a ray but for those that `skip(number)` is true for; -1 if there is none.
+  template <class Skip>
+  Index first_on_ray(const Vec& origin, const Vec& direction, const Skip& skip) const
+  {
+    const Core_kernel::Ray_3 ray(Core_kernel::Point_3(origin.x(), origin.y(), origin.z()),
+                                 direction);
+    const auto found = tree_.first_intersected_primitive(
+        ray, [&](Iterator t) { return skip(Index(t - triangles_.cbegin())); });
+    return found ? Index(*found - triangles_.cbegin()) : Index(-1);
+  }
+
 private:
   std::vector<Triangle_3> triangles_;
   CGAL::AABB_tree<Traits> tree_;

@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
@@ -30,6 +31,17 @@ inline void refuse_too_many(double faces)
   std::ostringstream text;
   text << "the sizes ask for about " << faces << " faces, more than the limit of 1e8";
   throw Refused{ Refusal::invalid_size, text.str(), -1, -1 };
+}
+
+// Tells the caller where the sizes grow faster than quads can follow.
+inline void advise_on_sizes(const Input_mesh& in, const Size_sampler& sizes,
+                            Adaptation_report& report)
+{
+  if(sizes.is_constant()) return;
+  report.size_growth = measure_size_growth(in.points, in.quads,
+                                           [&sizes](const Vec& p) { return sizes.unscaled(p); });
+  const std::string text = advice_on(report.size_growth);
+  if(!text.empty()) report.advice.push_back(text);
 }
 
 template <typename Vertex, typename QuadMesh>
@@ -65,6 +77,19 @@ std::vector<std::size_t> positions_of(const std::vector<Index>& faces_of_state,
 // larger by this factor they come to lie around one.
 constexpr double nearest_scale = 1.045;
 
+inline double scale_of(Aim aim) { return aim == Aim::nearest ? nearest_scale : 1.; }
+
+template <typename NamedParameters>
+Feature_options decode_features(const NamedParameters& np)
+{
+  Feature_options features;
+  features.feature_angle = parameters::choose_parameter(
+      parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
+  if(!(features.feature_angle > 0))
+    throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
+  return features;
+}
+
 // What every public function does around its algorithm: import and check, build the state, run
 // `algorithm(state)`, measure, and only then write back.
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
@@ -85,20 +110,17 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     Adaptation_state s;
     s.size = make_sampler<typename Decoded::Point>(sizing);
     if(paper) s.size.sampling = Size_sampling::centre;
-    if(aim == Aim::nearest) s.size.scale_by(nearest_scale);
+    s.size.scale_by(scale_of(aim));
     Input_mesh in;
     Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm)> import(mesh, vpm, ecm, vcm);
     import(faces, is_region, in, descriptors);
     const std::optional<Triangle_soup> reference = decode_reference(np);
-    Feature_options features;
-    features.feature_angle = parameters::choose_parameter(
-        parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
-    if(!(features.feature_angle > 0))
-      throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
+    const Feature_options features = decode_features(np);
     observe(np, s, clock);
     State_builder(in, features, s)(reference ? &*reference : nullptr);
     report.before = measure_state(s, reference);
     refuse_too_many(report.before.ideal_number_of_faces);
+    advise_on_sizes(in, s.size, report);
     algorithm(s, report);
     report.after = measure_state(s, reference);
     s.report_progress(1);
