@@ -44,6 +44,7 @@ inline void describe_face_open(Adaptation_state& s, Index ha, Index hb, Cavity& 
   fresh.frozen = false;
   fresh.ideal_faces = 4;
   fresh.p = 0.6 * fresh.p + (0.4 / double(sector.size())) * pull;
+  fresh.hint = s.triangle_near(sector[0], fresh.p);
   s.place(fresh);
   const int lw = cavity.add_new_node(fresh);
   const std::vector<Index> faces = cavity.old_faces;
