@@ -38,7 +38,7 @@ public:
 
   double operator()(const Vec& p) const
   {
-    const Index t = triangle_at(p);
+    const Index t = surface_.nearest_triangle(p);
     const std::array<Vec, 3> c = surface_.triangle(t);
     const Vec q = closest_on_triangle(p, c).point, n = cross(c[1] - c[0], c[2] - c[0]);
     const double nn = n * n;
@@ -51,30 +51,32 @@ public:
     return (1 - w1 - w2) * limit_[v[0]] + w1 * limit_[v[1]] + w2 * limit_[v[2]];
   }
 
-  // Lowers the sizes at the faces that are farther than allowed; false if there are none.
+  // Lowers the sizes at the faces that are farther than allowed, and a little at those that are
+  // nearly so; false if no face is too far.
   bool tighten(const Adaptation_state& s, const Distance_measure& far)
   {
     const Quad_complex& m = s.mesh;
     std::vector<double> wanted(m.face_end(), (std::numeric_limits<double>::infinity)());
     bool any = false;
     for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f) || far.of(f) <= allowed_) continue;
-      any = true;
+      if(!m.is_face(f) || far.of(f) <= 0.85 * allowed_) continue;
+      any = any || far.of(f) > allowed_;
       const Corners p = s.corners(f);
-      wanted[f] = mean_edge_length(p) * (std::max)(0.4, 0.9 * std::sqrt(allowed_ / far.of(f)));
-      const Index t = triangle_at(0.25 * (p[0] + p[1] + p[2] + p[3]));
+      wanted[f] = mean_edge_length(p) * (std::max)(0.4, std::sqrt(0.75 * allowed_ / far.of(f)));
+      const Index t = surface_.nearest_triangle(0.25 * (p[0] + p[1] + p[2] + p[3]));
       for(Index v : surface_.triangles()[t]) limit_[v] = (std::min)(limit_[v], wanted[f]);
     }
+    if(!any) return false;
     for(std::size_t v = 0; v < limit_.size(); ++v) {
       const Index f = far.face_below(Index(v));
       if(f >= 0) limit_[v] = (std::min)(limit_[v], wanted[f]);
     }
-    if(any) grade();
-    return any;
+    grade();
+    return true;
   }
 
 private:
-  double size_for(double curvature) const { return 0.95 * std::sqrt(8 * allowed_ / curvature); }
+  double size_for(double curvature) const { return 0.92 * std::sqrt(8 * allowed_ / curvature); }
 
   void grade() { limit_slope(surface_.points(), surface_.triangles(), 0.5, limit_); }
 
@@ -88,25 +90,14 @@ private:
       const double turn = std::atan2(norm(cross(a, b)), a * b);
       if(turn < 1e-9) continue;
       const double h = size_for(2 * turn / (norm(a) + norm(b)));
-      for(Index v : surface_.triangles()[triangle_at(p[i])]) limit_[v] = (std::min)(limit_[v], h);
+      for(Index v : surface_.triangles()[surface_.nearest_triangle(p[i])])
+        limit_[v] = (std::min)(limit_[v], h);
     }
-  }
-
-  // Questions come from near the one before; a walk that ends far off is no answer.
-  Index triangle_at(const Vec& p) const
-  {
-    Index t = last_;
-    const Vec foot = surface_.nearest_on(p, t);
-    const std::array<Vec, 3> c = surface_.triangle(t);
-    if((p - foot).squared_length() > 0.01 * norm(cross(c[1] - c[0], c[2] - c[0])))
-      t = surface_.nearest_triangle(p);
-    return last_ = t;
   }
 
   const Reference_surface& surface_;
   double allowed_;
   std::vector<double> limit_; // infinite: none
-  mutable Index last_ = 0;
 };
 
 } // namespace internal

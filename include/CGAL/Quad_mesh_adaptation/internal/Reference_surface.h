@@ -101,9 +101,7 @@ public:
     return distance(p, locate(p, hint));
   }
 
-  // The same on the triangles alone, also on a planar surface: by walking from triangle t, and of
-  // all of them.
-  Vec nearest_on(const Vec& p, Index& t) const { return walk(p, t); }
+  // Of all triangles, also on a planar surface.
   Index nearest_triangle(const Vec& p) const
   {
     Index t = -1;
