@@ -173,7 +173,7 @@ Named_function_parameters<Projector, curve_projector_t, NP> curve_projector(cons
 }
 
 /// How far faces may be from the reference surface and its curves, and these from the faces.  Sizes
-/// are lowered where the curvature asks for it, and again (in up to three further runs) where a
+/// are lowered where the curvature asks for it, and again (in up to four further runs) where a
 /// face is found too far; they then grow by at most 0.5 per unit of length.  All sizes in the
 /// report are the lowered ones.  What stays too far is listed in `faces_too_far`.  Default: no
 /// bound.

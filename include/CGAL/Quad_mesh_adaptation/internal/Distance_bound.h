@@ -20,7 +20,7 @@ namespace internal {
 class Distance_bound
 {
 public:
-  static constexpr int most_rounds = 3;
+  static constexpr int most_rounds = 4;
 
   // From now on the sizes of the state are limited, once start() has been called.
   Distance_bound(Adaptation_state& s, double allowed) : s_(s), allowed_(allowed)

@@ -9,8 +9,11 @@
 #include <CGAL/Quad_mesh_adaptation/internal/limit_slope.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -24,7 +27,7 @@ class Distance_limit
 {
 public:
   Distance_limit(const Adaptation_state& s, double allowed)
-      : surface_(s.surface), allowed_(allowed),
+      : surface_(s.surface), allowed_(allowed), cell_(2 * mean_edge(s.surface)),
         limit_(s.surface.points().size(), (std::numeric_limits<double>::infinity)())
   {
     if(!surface_.is_planar()) {
@@ -38,7 +41,7 @@ public:
 
   double operator()(const Vec& p) const
   {
-    const Index t = surface_.nearest_triangle(p);
+    const Index t = triangle_at(p);
     const std::array<Vec, 3> c = surface_.triangle(t);
     const Vec q = closest_on_triangle(p, c).point, n = cross(c[1] - c[0], c[2] - c[0]);
     const double nn = n * n;
@@ -59,11 +62,11 @@ public:
     std::vector<double> wanted(m.face_end(), (std::numeric_limits<double>::infinity)());
     bool any = false;
     for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f) || far.of(f) <= 0.85 * allowed_) continue;
+      if(!m.is_face(f) || far.of(f) <= 0.95 * allowed_) continue;
       any = any || far.of(f) > allowed_;
       const Corners p = s.corners(f);
-      wanted[f] = mean_edge_length(p) * (std::max)(0.4, std::sqrt(0.75 * allowed_ / far.of(f)));
-      const Index t = surface_.nearest_triangle(0.25 * (p[0] + p[1] + p[2] + p[3]));
+      wanted[f] = mean_edge_length(p) * (std::max)(0.4, std::sqrt(0.8 * allowed_ / far.of(f)));
+      const Index t = triangle_at(0.25 * (p[0] + p[1] + p[2] + p[3]));
       for(Index v : surface_.triangles()[t]) limit_[v] = (std::min)(limit_[v], wanted[f]);
     }
     if(!any) return false;
@@ -80,6 +83,43 @@ private:
 
   void grade() { limit_slope(surface_.points(), surface_.triangles(), 0.5, limit_); }
 
+  // The triangle near p, walking from the one nearest to the centre of p's cell: quick, and the
+  // same whatever was asked before.
+  Index triangle_at(const Vec& p) const
+  {
+    std::array<std::int64_t, 3> cell;
+    for(int i = 0; i < 3; ++i) cell[i] = std::int64_t(std::floor(p[i] / cell_));
+    const auto known = starts_.find(cell);
+    Index t = known != starts_.end() ? known->second : Index(-1);
+    if(t < 0) {
+      const Vec half(0.5, 0.5, 0.5), corner{ double(cell[0]), double(cell[1]), double(cell[2]) };
+      t = surface_.nearest_triangle(cell_ * (corner + half));
+      starts_.emplace(cell, t);
+    }
+    surface_.nearest_on(p, t);
+    return t;
+  }
+
+  static double mean_edge(const Reference_surface& s)
+  {
+    double sum = 0;
+    for(Index t = 0; t < Index(s.number_of_triangles()); ++t) {
+      const std::array<Vec, 3> c = s.triangle(t);
+      sum += std::sqrt(norm(cross(c[1] - c[0], c[2] - c[0])));
+    }
+    return sum / double(s.number_of_triangles());
+  }
+
+  struct Hash
+  {
+    std::size_t operator()(const std::array<std::int64_t, 3>& c) const
+    {
+      std::uint64_t h = 0;
+      for(std::int64_t x : c) h = (h ^ std::uint64_t(x)) * 0x9E3779B97F4A7C15ull;
+      return std::size_t(h ^ (h >> 32));
+    }
+  };
+
   // Turn per length at every point of the polyline.
   void bound_on_curve(const Feature_curve& c)
   {
@@ -90,14 +130,14 @@ private:
       const double turn = std::atan2(norm(cross(a, b)), a * b);
       if(turn < 1e-9) continue;
       const double h = size_for(2 * turn / (norm(a) + norm(b)));
-      for(Index v : surface_.triangles()[surface_.nearest_triangle(p[i])])
-        limit_[v] = (std::min)(limit_[v], h);
+      for(Index v : surface_.triangles()[triangle_at(p[i])]) limit_[v] = (std::min)(limit_[v], h);
     }
   }
 
   const Reference_surface& surface_;
-  double allowed_;
+  double allowed_, cell_;
   std::vector<double> limit_; // infinite: none
+  mutable std::unordered_map<std::array<std::int64_t, 3>, Index, Hash> starts_;
 };
 
 } // namespace internal

@@ -101,6 +101,8 @@ public:
     return distance(p, locate(p, hint));
   }
 
+  // On the triangles alone, also where they are planar: by walking from triangle t.
+  Vec nearest_on(const Vec& p, Index& t) const { return walk(p, t); }
   // Of all triangles, also on a planar surface.
   Index nearest_triangle(const Vec& p) const
   {
