@@ -22,12 +22,11 @@ namespace internal {
 class Local_fit
 {
 public:
-  static constexpr int largest_degree = 3;
-
   Local_fit() = default;
 
-  // Fits a polynomial of at most `degree` in the plane across `normal`, and once more across the
-  // normal that this gives.  A lower degree is taken where the points do not suffice; 0 is none.
+  // Fits a polynomial of at most `degree` (1 to 3) in the plane across `normal`, and once more
+  // across the normal that this gives.  A lower degree is taken where the points do not suffice; 0
+  // is none.
   Local_fit(const Vec& origin, const Vec& normal, const std::vector<Vec>& around, int degree)
       : origin_(origin)
   {

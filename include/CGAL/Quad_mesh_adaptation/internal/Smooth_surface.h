@@ -72,12 +72,14 @@ private:
         if(fan_[t][i] >= 0) continue;
         const Index number = Index(members_.size()), v = triangles_[t][i];
         members_.push_back({ Index(t) });
+        is_open_.push_back(0);
         fan_[t][i] = number;
         for(std::size_t k = 0; k < members_[number].size(); ++k) {
           const Index u = members_[number][k];
           const int j = corner(u, v);
           for(int side : { j, (j + 2) % 3 }) {
             const Index n = flat.neighbour(u, side);
+            if(n < 0) is_open_[number] = 1;
             if(n < 0 || fan_[n][corner(n, v)] >= 0) continue;
             fan_[n][corner(n, v)] = number;
             members_[number].push_back(n);
@@ -94,7 +96,8 @@ private:
   void fit_all()
   {
     fits_.resize(members_.size());
-    for(std::size_t n = 0; n < members_.size(); ++n) fit(Index(n), Local_fit::largest_degree);
+    // on one side of a curve two rows of points do not settle the third power of the distance
+    for(std::size_t n = 0; n < members_.size(); ++n) fit(Index(n), is_open_[n] ? 2 : 3);
   }
 
   // Fan n by a polynomial of at most that degree: over its own points and those of the fans next
@@ -109,8 +112,8 @@ private:
     normal = normalized(normal);
     std::vector<Index> around;
     for(Index t : members_[n])
-      for(int i = 0; i < 3; ++i)
-        for(Index u : members_[fan_[t][i]])
+      for(Index next : fan_[t])
+        for(Index u : members_[next])
           if(normals_[u] * normal > 0.3)
             around.insert(around.end(), triangles_[u].begin(), triangles_[u].end());
     std::sort(around.begin(), around.end());
@@ -229,6 +232,7 @@ private:
   std::vector<Vec> normals_;                // of the triangles
   std::vector<std::array<Index, 3>> fan_;   // of each corner
   std::vector<std::vector<Index>> members_; // triangles of each fan
+  std::vector<char> is_open_;               // is the vertex on a curve?
   std::vector<Local_fit> fits_;             // of each fan
   std::vector<std::array<Index, 3>> curve_; // segment of each edge, -1: none
   std::vector<Hermite_segment> segments_;
