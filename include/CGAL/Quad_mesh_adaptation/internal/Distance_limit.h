@@ -28,7 +28,8 @@ class Distance_limit
 public:
   Distance_limit(const Adaptation_state& s, double allowed)
       : surface_(s.surface), allowed_(allowed), cell_(2 * mean_edge(s.surface)),
-        limit_(s.surface.points().size(), (std::numeric_limits<double>::infinity)())
+        limit_(s.surface.points().size(), (std::numeric_limits<double>::infinity)()),
+        least_(limit_.size(), 0.)
   {
     if(!surface_.is_planar()) {
       const std::vector<double> k = Smooth_surface(surface_, Hermite_edges()).curvatures();
@@ -67,12 +68,12 @@ public:
       const Corners p = s.corners(f);
       wanted[f] = mean_edge_length(p) * (std::max)(0.4, std::sqrt(0.8 * allowed_ / far.of(f)));
       const Index t = triangle_at(0.25 * (p[0] + p[1] + p[2] + p[3]));
-      for(Index v : surface_.triangles()[t]) limit_[v] = (std::min)(limit_[v], wanted[f]);
+      for(Index v : surface_.triangles()[t]) lower(v, wanted[f]);
     }
     if(!any) return false;
     for(std::size_t v = 0; v < limit_.size(); ++v) {
       const Index f = far.face_below(Index(v));
-      if(f >= 0) limit_[v] = (std::min)(limit_[v], wanted[f]);
+      if(f >= 0) lower(Index(v), wanted[f]);
     }
     grade();
     return true;
@@ -80,6 +81,15 @@ public:
 
 private:
   double size_for(double curvature) const { return 0.92 * std::sqrt(8 * allowed_ / curvature); }
+
+  // At most to half of what was first thought enough: where a curve of the input has no counterpart
+  // in the reference, or the reference is rough, small faces do not help.
+  void lower(Index v, double wanted)
+  {
+    if(!(wanted < limit_[v])) return;
+    if(least_[v] == 0) least_[v] = 0.5 * (std::min)(limit_[v], 2 * wanted);
+    limit_[v] = (std::max)(wanted, (std::min)(least_[v], limit_[v]));
+  }
 
   void grade() { limit_slope(surface_.points(), surface_.triangles(), 0.5, limit_); }
 
@@ -137,6 +147,7 @@ private:
   const Reference_surface& surface_;
   double allowed_, cell_;
   std::vector<double> limit_; // infinite: none
+  std::vector<double> least_; // once lowered
   mutable std::unordered_map<std::array<std::int64_t, 3>, Index, Hash> starts_;
 };
 
