@@ -1,5 +1,5 @@
-// Coarsens a mesh and refines the coarse one again: with the fine mesh as reference surface the
-// shape comes back, without it is lost.
+// Coarsens a mesh and refines the coarse one again, on the surface of the first: the shape comes
+// back as far as the coarse mesh still covers it.
 //   reference_surface_example [directory]
 
 #include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
@@ -34,7 +34,7 @@ int main(int argc, char* argv[])
   Mesh mesh = original;
   // coarse faces turn more at an edge than a crease would: none is one
   const auto on_original = QMA::reference_surface(original, QMA::feature_angle(180));
-  bool ok = show("coarse", QMA::adapt_quad_mesh(0.12, mesh, on_original));
+  bool ok = show("coarse", QMA::adapt_quad_mesh(0.07, mesh, on_original));
   mesh.collect_garbage();
   ok = ok && QMA::write_quad_mesh(directory + "/spot_coarse.vtk", mesh).ok();
 

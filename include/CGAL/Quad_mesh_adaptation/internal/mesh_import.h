@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MESH_IMPORT_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -39,7 +40,9 @@ Vec to_vec(const Point& p)
 // face by face; throws Refused.  The number of an entity in a message is its position in the
 // iteration over the mesh.
 template <typename QuadMesh, typename VertexPointMap, typename EdgeConstrainedMap,
-          typename VertexConstrainedMap, typename FacePatchMap>
+          typename VertexConstrainedMap,
+          typename FacePatchMap =
+              One_patch<typename boost::graph_traits<QuadMesh>::face_descriptor>>
 class Mesh_import
 {
   using Traits = boost::graph_traits<QuadMesh>;
@@ -51,7 +54,7 @@ public:
   using Patch = typename boost::property_traits<FacePatchMap>::value_type;
 
   Mesh_import(const QuadMesh& mesh, VertexPointMap vpm, EdgeConstrainedMap ecm,
-              VertexConstrainedMap vcm, FacePatchMap fpm)
+              VertexConstrainedMap vcm, FacePatchMap fpm = FacePatchMap())
       : mesh_(mesh), vpm_(vpm), ecm_(ecm), vcm_(vcm), fpm_(fpm)
   {
   }
