@@ -67,8 +67,11 @@ public:
       any = any || far.of(f) > allowed_;
       const Corners p = s.corners(f);
       wanted[f] = mean_edge_length(p) * (std::max)(0.4, std::sqrt(0.8 * allowed_ / far.of(f)));
-      const Index t = triangle_at(0.25 * (p[0] + p[1] + p[2] + p[3]));
-      for(Index v : surface_.triangles()[t]) lower(v, wanted[f]);
+      const Vec centre = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+      for(int i = 0; i < 4; ++i) { // near the middle of each edge, where curves are missed
+        const Vec q = 0.5 * (0.9 * (p[i] + p[(i + 1) & 3]) + 0.2 * centre);
+        for(Index v : surface_.triangles()[triangle_at(q)]) lower(v, wanted[f]);
+      }
     }
     if(!any) return false;
     for(std::size_t v = 0; v < limit_.size(); ++v) {
