@@ -20,6 +20,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <string>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
@@ -53,7 +54,10 @@ QMA::Adaptation_report adapt(const Options& options, const Size_function& size, 
 {
   const auto schedule =
       options.schedule == "paper" ? QMA::Schedule::paper : QMA::Schedule::progressive;
-  const auto parameters = QMA::schedule(schedule, QMA::feature_angle(options.feature_angle, more));
+  const double far = options.max_distance.value_or(std::numeric_limits<double>::infinity());
+  const auto geometry = QMA::smooth_reference(options.is_smooth, QMA::max_distance(far, more));
+  const auto parameters =
+      QMA::schedule(schedule, QMA::feature_angle(options.feature_angle, geometry));
   if(options.reference.empty()) return QMA::adapt_quad_mesh(size, mesh, parameters);
   return QMA::adapt_quad_mesh(size, mesh, QMA::reference_surface(reference, parameters));
 }

@@ -35,6 +35,8 @@ struct Options
   std::string reference, report, picture;
   std::string schedule = "default";
   double feature_angle = CGAL::Quad_mesh_adaptation::default_feature_angle;
+  bool is_smooth = false;
+  std::optional<double> max_distance;
   unsigned max_iterations = 0; // 0: the library's own limit
   bool is_quiet = false;
 };
@@ -140,8 +142,14 @@ inline void describe_options(CLI::App& app, Options& options)
       ->required();
   describe_sizes(app, options);
   app.add_option("--reference", options.reference,
-                 "Finer surface to stay on; its border curves are the curves [INPUT]")
+                 "Finer surface to stay on; its border and creases are the curves [INPUT]")
       ->type_name("SURFACE");
+  app.add_flag("--smooth-reference", options.is_smooth,
+               "Stay on the smooth surface through the vertices instead of on the facets");
+  app.add_option("--max-distance", options.max_distance,
+                 "Let no face be farther from that surface than D [no limit]")
+      ->type_name("D")
+      ->check(CLI::PositiveNumber);
   app.add_option("--feature-angle", options.feature_angle,
                  "Turn in degrees from which an edge or a corner is kept; 180 keeps none")
       ->type_name("DEG")

@@ -52,6 +52,8 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Mesh_mea
     { "irregular_interior_vertices", m.irregular_interior_vertices },
     { "max_valence", m.max_valence },
     { "max_distance_to_reference", m.max_distance_to_reference },
+    { "mesh_to_reference", m.mesh_to_reference },
+    { "reference_to_mesh", m.reference_to_mesh },
   };
 }
 
@@ -82,7 +84,11 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptati
            { "after", to_json(report.after) },
            { "operations", operations },
            { "seconds", seconds },
-           { "faces_too_large", report.faces_too_large } };
+           { "patches", report.patches },
+           { "feature_curves", report.feature_curves },
+           { "corners", report.corners },
+           { "faces_too_large", report.faces_too_large },
+           { "faces_too_far", report.faces_too_far } };
 }
 
 #endif // QUAD_MESH_ADAPTATION_EXAMPLES_REPORT_JSON_H

@@ -20,7 +20,8 @@ enum class Adaptation_status
 {
   sizes_met, ///< every face (paper's schedule: every face but the paper's tolerance) is within its
              ///< size
-  sizes_not_met, ///< a valid mesh was made, but some faces are larger than asked; see `message`
+  sizes_not_met, ///< a valid mesh was made, but some faces are larger than asked or farther from
+                 ///< the reference than `max_distance()`; see `message`
   input_refused, ///< the mesh cannot be adapted; `reason` and `entity` say why and where
   sizes_refused, ///< the sizing function gave a value that is not a positive finite number
   cancelled      ///< the visitor or the callback asked to stop
@@ -80,6 +81,12 @@ struct Adaptation_report
   std::vector<Phase_time> times;
   /// Faces larger than asked at the end, as positions in the iteration order of the mesh's faces.
   std::vector<std::size_t> faces_too_large;
+  /// Faces farther from the reference than `max_distance()` allows, the same way; empty without.
+  std::vector<std::size_t> faces_too_far;
+
+  /// What the mesh has in features, detected or given: maximal sets of faces that no feature curve
+  /// parts, curves from corner to corner or closed, borders among them, and corners.
+  std::size_t patches = 0, feature_curves = 0, corners = 0;
 
   bool has_valid_mesh() const
   {

@@ -50,6 +50,9 @@ struct Adaptation_state
   Quad_complex mesh;
   std::vector<Feature_curve> curves;
   Reference_surface surface;
+  std::vector<Index> given_patch;            // by the patch of a face: the caller's
+  std::vector<Index> reference_patch;        // by the patch of a face: the surface's; -1: not known
+  std::function<Vec(const Vec&)> curve_lift; // from a curve's polyline to the true curve, if set
   Size_sampler size;
   Energy_weights energy;
   Smoothing_weights smoothing;
@@ -222,9 +225,11 @@ struct Adaptation_state
       const Feature_curve& c = curves[r.curve];
       r.param = c.wrapped(r.param);
       r.p = c.point(r.param);
+      if(curve_lift && !c.is_frozen()) r.p = curve_lift(r.p);
     } else if(r.carrier == Carrier::surface) {
-      r.p = surface.project(r.p, r.hint);
-      r.normal = surface.normal(r.hint);
+      const Surface_point on = surface.place(r.p, r.hint);
+      r.p = on.point;
+      r.normal = on.normal;
     }
     r.h = size.at(r.p);
   }
@@ -244,6 +249,17 @@ struct Adaptation_state
     std::map<std::string, std::size_t> counts;
     for(const auto& o : operations) counts[o.first] += o.second;
     return counts;
+  }
+
+  // The triangle of the reference surface from where to look for a new node at p inside face f:
+  // that of a corner that lies on the surface, else the nearest one on the patch of f.
+  Index triangle_near(Index f, const Vec& p) const
+  {
+    for(Index v : mesh.quad(f))
+      if(mesh.vertex(v).carrier == Carrier::surface) return mesh.vertex(v).hint;
+    const Index k = mesh.patch(f);
+    const Index patch = k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
+    return surface.find(p, patch, area_vector(corners(f)));
   }
 };
 

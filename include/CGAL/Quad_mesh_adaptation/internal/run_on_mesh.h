@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_RUN_ON_MESH_H
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
@@ -73,6 +74,23 @@ std::vector<std::size_t> positions_of(const std::vector<Index>& faces_of_state,
   return list;
 }
 
+inline void count_features(const Adaptation_state& s, Adaptation_report& report)
+{
+  report.patches = s.given_patch.size();
+  report.feature_curves = s.curves.size();
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    if(s.mesh.is_vertex(v) && s.mesh.vertex(v).carrier == Carrier::corner) ++report.corners;
+}
+
+// Faces are of the caller's patch that theirs descends from.
+template <typename Export, typename Patch, typename FacePatchMap>
+void put_patches(const Adaptation_state& s, const Export& written,
+                 const std::vector<Patch>& patches, FacePatchMap fpm)
+{
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) put(fpm, written.face_of(f), patches[s.given_patch[s.mesh.patch(f)]]);
+}
+
 // Faces adapted to be no larger than asked have size ratios about 0.955 on average; against sizes
 // larger by this factor they come to lie around one.
 constexpr double nearest_scale = 1.045;
@@ -105,23 +123,31 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
   auto vpm = Decoded::vertex_point_map(mesh, np);
   auto ecm = Decoded::edge_map(np);
   auto vcm = Decoded::vertex_map(np);
+  auto fpm = Decoded::patch_map(np);
   Mesh_descriptors<QuadMesh> descriptors;
   try {
     Adaptation_state s;
     s.size = make_sampler<typename Decoded::Point>(sizing);
     if(paper) s.size.sampling = Size_sampling::centre;
     s.size.scale_by(scale_of(aim));
+    Distance_bound bound(s, decode_max_distance(np));
     Input_mesh in;
-    Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm)> import(mesh, vpm, ecm, vcm);
+    Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm)> import(
+        mesh, vpm, ecm, vcm, fpm);
     import(faces, is_region, in, descriptors);
     const std::optional<Triangle_soup> reference = decode_reference(np);
     const Feature_options features = decode_features(np);
     observe(np, s, clock);
-    State_builder(in, features, s)(reference ? &*reference : nullptr);
+    Geometry_options geometry = decode_geometry<typename Decoded::Point>(np);
+    geometry.reference = reference ? &*reference : nullptr;
+    State_builder(in, features, s)(geometry);
+    count_features(s, report);
+    bound.start();
     report.before = measure_state(s, reference);
     refuse_too_many(report.before.ideal_number_of_faces);
     advise_on_sizes(in, s.size, report);
     algorithm(s, report);
+    while(bound.tighten()) algorithm(s, report);
     report.after = measure_state(s, reference);
     s.report_progress(1);
     report.iterations = s.iterations;
@@ -129,9 +155,13 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     s.size.scale_by(1);
     const std::vector<Index> large = faces_too_large(s, largest_allowed(aim));
     judge_sizes(report, paper, aim, large.size());
+    const std::vector<Index> far = bound.faces_too_far();
+    judge_distances(report, bound.allowed(), far.size());
     Mesh_export<QuadMesh, decltype(vpm), decltype(ecm)> write(mesh, vpm, ecm, in, descriptors, s);
     write(); // from here on nothing of the caller's is called any more but his maps
+    put_patches(s, write, import.patches(), fpm);
     report.faces_too_large = positions_of(large, write, mesh);
+    report.faces_too_far = positions_of(far, write, mesh);
   } catch(const Refused& e) {
     report.status = e.reason == Refusal::invalid_size ? Adaptation_status::sizes_refused
                                                       : Adaptation_status::input_refused;
@@ -142,6 +172,10 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
       report.entity = position_of(descriptors.vertices[e.input_vertex], mesh);
       report.message = "vertex " + std::to_string(report.entity) + " " + e.message;
     }
+  } catch(const Bad_projection& e) {
+    report.status = Adaptation_status::input_refused;
+    report.reason = Refusal::invalid_parameter;
+    report.message = describe(e);
   } catch(const Bad_size& e) {
     report.status = Adaptation_status::sizes_refused;
     report.reason = Refusal::invalid_size;
