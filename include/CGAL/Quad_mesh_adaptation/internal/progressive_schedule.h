@@ -98,7 +98,7 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
 inline bool is_adapted(const Adaptation_state& s)
 {
   const Quad_complex& m = s.mesh;
-  if(!faces_too_large(s).empty() || fraction_below(s, 0.7) > 0.01) return false;
+  if(!faces_too_large(s).empty() || is_too_fine(s)) return false;
   for(Index f = 0; f < m.face_end(); ++f)
     if(m.is_face(f) && s.face_quality(s.corners(f), s.reference_normal(f)) < s.smoothing.min_corner)
       return false;
@@ -117,7 +117,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   smooth(s, 2);
-  if(use.coarsening && fraction_below(s, 0.7) > 0.01) {
+  if(use.coarsening && is_too_fine(s)) {
     s.progress = 0.05;
     coarsen_relaxed(s, clean, 12);
   }
