@@ -5,9 +5,7 @@
 #define CGAL_ADAPT_QUAD_MESH_H
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
-#include <CGAL/Quad_mesh_adaptation/internal/expected_count.h>
-#include <CGAL/Quad_mesh_adaptation/internal/paper_schedule.h>
-#include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
@@ -44,11 +42,11 @@ Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const Sizi
   const bool paper = is_paper_schedule(np);
   return run_on_mesh(faces, is_region, sizing, mesh, np, paper,
                      [&](Adaptation_state& s, Adaptation_report& report) {
-                       if(paper) return paper_schedule(s, iterations);
-                       report.expected_number_of_faces = expected_count(
+                       if(paper) return run_paper_schedule(s, iterations);
+                       report.expected_number_of_faces = expected_faces(
                            s, report.before.ideal_number_of_faces,
                            report.size_growth.mean_square_slope, scale_of(decode_aim(np)));
-                       progressive_schedule(s, iterations);
+                       run_default_schedule(s, iterations);
                      });
 }
 

@@ -6,11 +6,10 @@
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
-#include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
-#include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
@@ -140,15 +139,15 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     observe(np, s, clock);
     Geometry_options geometry = decode_geometry<typename Decoded::Point>(np);
     geometry.reference = reference ? &*reference : nullptr;
-    State_builder(in, features, s)(geometry);
+    build_state(in, features, geometry, s);
     count_features(s, report);
     bound.start();
-    report.before = measure_state(s, reference);
+    report.before = measured_state(s, reference);
     refuse_too_many(report.before.ideal_number_of_faces);
     advise_on_sizes(in, s.size, report);
     algorithm(s, report);
     while(bound.tighten()) algorithm(s, report);
-    report.after = measure_state(s, reference);
+    report.after = measured_state(s, reference);
     s.report_progress(1);
     report.iterations = s.iterations;
     for(const auto& o : s.operation_counts()) report.operations.push_back({ o.first, o.second });
