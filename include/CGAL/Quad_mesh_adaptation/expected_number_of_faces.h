@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_EXPECTED_NUMBER_OF_FACES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
