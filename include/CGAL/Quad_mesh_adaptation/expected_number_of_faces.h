@@ -64,7 +64,9 @@ double expected_number_of_faces(const SizingField& sizing, const QuadMesh& mesh,
         mesh, vpm, ecm, vcm);
     import(faces(mesh), false, in, descriptors);
     const std::optional<Triangle_soup> reference = decode_reference(np);
-    State_builder(in, decode_features(np), s)(reference ? &*reference : nullptr);
+    Geometry_options geometry; // lifts to a smooth or true surface hardly change the count
+    geometry.reference = reference ? &*reference : nullptr;
+    State_builder(in, decode_features(np), s)(geometry);
     const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
     const double ideal = ideal_number_of_faces(
         reference ? corner_points(*reference) : triangles_of(in.points, in.quads), size);
