@@ -140,6 +140,16 @@ struct Adaptation_state
     return energy_cache[f];
   }
 
+  double total_energy()
+  {
+    double sum = 0;
+    for(Index f = 0; f < mesh.face_end(); ++f)
+      if(mesh.is_face(f)) sum += cached_energy(f);
+    for(Index v = 0; v < mesh.vertex_end(); ++v)
+      if(mesh.is_vertex(v)) sum += valence_energy(mesh.vertex(v).faces, mesh.vertex(v));
+    return sum;
+  }
+
   // Wanted size of face f over the sum of the sizes at its corners.  It changes little while the
   // corners move, so that smoothing asks for one size per move instead of five per face; it is
   // renewed after a few moves.

@@ -34,13 +34,14 @@ public:
     for(const auto& candidate : candidates()) {
       const Index h = candidate.second;
       if(!s_.mesh.is_face(s_.mesh.face(h)) || used_[s_.mesh.origin(h)]) continue;
-      removed += try_chord(chord_through(s_.mesh, h));
+      removed += try_chord(chord_through(s_.mesh, h), candidate.first);
     }
     return removed;
   }
 
 private:
-  // Mean size ratio of a chord, and one of its half-edges.
+  // Chords of faces too small on average, by their mean width over the wanted size, so that a mesh
+  // is thinned in the direction in which it is finer; and one half-edge of each.
   std::vector<std::pair<double, Index>> candidates()
   {
     const Quad_complex& m = s_.mesh;
@@ -52,35 +53,60 @@ private:
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
       if(!m.is_face(m.face(h)) || seen[h]) continue;
       const Chord c = chord_through(m, h);
-      double sum = 0;
+      double width = 0, size = 0;
       for(Index g : c.rungs) {
         seen[g] = 1;
         if(m.opposite(g) >= 0) seen[m.opposite(g)] = 1;
+        const Vertex_record &u = m.vertex(m.origin(g)), &v = m.vertex(m.target(g));
+        width += 2 * distance(u.p, v.p) / (u.h + v.h);
       }
-      for(Index f : c.faces) sum += ratio[f];
-      const double mean = sum / double(c.faces.size());
-      if(mean < 0.75) list.push_back({ mean, c.rungs.front() });
+      for(Index f : c.faces) size += ratio[f];
+      width /= double(c.rungs.size());
+      if(size < 0.95 * double(c.faces.size()) && width < 1) list.push_back({ width, h });
     }
     std::stable_sort(list.begin(), list.end());
     return list;
   }
 
-  std::size_t try_chord(const Chord& c)
+  std::size_t try_chord(const Chord& c, double width)
   {
     s_.check_cancelled();
     for(Index h : c.rungs)
       if(used_[s_.mesh.origin(h)] || used_[s_.mesh.target(h)]) return 0;
     if(!is_chord_collapse_allowed(s_, c)) return 0;
     describe_chord_collapse(s_, c, cavity_);
-    if(!cavity_.close()) return 0;
-    cavity_.relax(2);
-    if(cavity_.energy_after() > cavity_.energy_before() - s_.energy.min_gain) return 0;
-    if(cavity_.worst_after() < (std::min)(min_jacobian_, cavity_.worst_before())) return 0;
+    if(!is_worth_it(c, width)) return 0;
     std::vector<Index> touched;
     cavity_.commit(&touched);
     s_.count("chord collapse");
     for(Index v : touched) used_[v] = 1;
     return c.faces.size();
+  }
+
+  // The width that is left over spreads over the rows on both sides: over none where the chord is
+  // very narrow, and over more and more where it is nearly wide enough and few rows do not do.
+  bool is_worth_it(const Chord& c, double width)
+  {
+    if(width < 0.5) return relaxed_change(0, 2) < -s_.energy.min_gain && is_well_shaped();
+    for(const int rings : { 2, 2, 4 }) {
+      const double change = relaxed_change(rings, 4 * rings);
+      if(change < -s_.energy.min_gain) return is_well_shaped();
+      if(change > 1.2 * double(c.faces.size())) return false;
+    }
+    return false;
+  }
+
+  double relaxed_change(int rings, int sweeps)
+  {
+    for(int ring = 0; ring < rings; ++ring) cavity_.add_halo();
+    if(!cavity_.close()) return 1e300;
+    cavity_.relax(sweeps);
+    return cavity_.energy_after() - cavity_.energy_before();
+  }
+
+  bool is_well_shaped() const
+  {
+    return cavity_.worst_after() >= (std::min)(min_jacobian_, cavity_.worst_before());
   }
 
   Adaptation_state& s_;
@@ -91,14 +117,20 @@ private:
 
 inline std::size_t coarsen_by_chords(Adaptation_state& s, double min_jacobian)
 {
+  // whole rows at the limit would leave no room for those a little above it
+  const double tolerated = s.energy.tolerated;
+  s.energy.tolerated *= 0.97;
+  s.forget_energies();
   Chord_coarsening chords(s, min_jacobian);
   std::size_t total = 0;
   for(int batch = 0; batch < 40; ++batch) {
     const std::size_t removed = chords.batch();
     total += removed;
     if(removed == 0) break;
-    smooth(s, 2);
+    smooth(s, 12);
   }
+  s.energy.tolerated = tolerated;
+  s.forget_energies();
   return total;
 }
 

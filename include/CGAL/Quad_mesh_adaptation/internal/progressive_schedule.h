@@ -9,6 +9,8 @@
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -93,12 +95,11 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
   s.smoothing.hinge = hinge;
 }
 
-// Is there nothing to do?  No face too large, hardly one that could be closed, shapes and valences
-// as this schedule leaves them.  Adapting an adapted mesh again then changes nothing.
-inline bool is_adapted(const Adaptation_state& s)
+// Is every face within its size, with shapes and valences as this schedule leaves them?
+inline bool is_good(const Adaptation_state& s)
 {
   const Quad_complex& m = s.mesh;
-  if(!faces_too_large(s).empty() || fraction_below(s, 0.7) > 0.01) return false;
+  if(!faces_too_large(s).empty()) return false;
   for(Index f = 0; f < m.face_end(); ++f)
     if(m.is_face(f) && s.face_quality(s.corners(f), s.reference_normal(f)) < s.smoothing.min_corner)
       return false;
@@ -109,15 +110,46 @@ inline bool is_adapted(const Adaptation_state& s)
   return true;
 }
 
+// Is there nothing to do?
+inline bool is_adapted(const Adaptation_state& s) { return is_good(s) && !is_too_fine(s); }
+
+// A mesh that was good may come out no better, because its sizes leave no more to gain; then it
+// is left as it was, so that adapting an adapted mesh again changes nothing.
+class Good_mesh_keeper
+{
+public:
+  explicit Good_mesh_keeper(Adaptation_state& s) : s_(s)
+  {
+    if(!is_good(s)) return;
+    mesh_ = s.mesh;
+    energy_ = s.total_energy();
+  }
+
+  void restore_unless_better()
+  {
+    if(!mesh_ || s_.total_energy() < 0.96 * energy_) return;
+    s_.mesh = std::move(*mesh_);
+    s_.forget_faces();
+    s_.operations.clear();
+    s_.iterations = 0;
+  }
+
+private:
+  Adaptation_state& s_;
+  std::optional<Quad_complex> mesh_;
+  double energy_ = 0;
+};
+
 // The default schedule.
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
                                  const Schedule_ingredients& use = {})
 {
   if(is_adapted(s)) return;
+  Good_mesh_keeper keeper(s);
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   smooth(s, 2);
-  if(use.coarsening && fraction_below(s, 0.7) > 0.01) {
+  if(use.coarsening && is_too_fine(s)) {
     s.progress = 0.05;
     coarsen_relaxed(s, clean, 12);
   }
@@ -128,6 +160,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(use.local_operations) polish(s, clean, 5);
   s.progress = 0.9;
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
+  keeper.restore_unless_better();
   s.progress = 1;
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -22,6 +23,19 @@ inline double fraction_below(const Adaptation_state& s, double ratio)
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f) && s.size_ratio(f) < ratio) ++below;
   return double(below) / double(s.mesh.number_of_faces());
+}
+
+// Are there clearly more faces than the sizes ask for?  Either everywhere a few, by the mean square
+// of the size ratios, or many in some place.
+inline bool is_too_fine(const Adaptation_state& s)
+{
+  double sum = 0;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) {
+      const double r = (std::min)(s.size_ratio(f), 1.);
+      sum += r * r;
+    }
+  return sum < 0.75 * double(s.mesh.number_of_faces()) || fraction_below(s, 0.7) > 0.01;
 }
 
 // Is a face held too large by an edge that must not change?
