@@ -74,6 +74,10 @@ TEST(Expected_number_of_faces, OfRefinements)
   expect_near("disk, graded", disk,
               [](const Point& p) { return 0.1 + 0.2 * std::hypot(p.x(), p.y()); });
   expect_near("icf, 0.6", icf, uniform(0.6 * mean_edge(icf)));
+  const Mesh annulus = mesh_of(shape_zoo::annulus(36, 5)), pawn = read("pawn");
+  expect_near("annulus, linear", annulus,
+              [](const Point& p) { return 0.12 + 0.05 * std::abs(p.x()); });
+  expect_near("pawn, 0.8", pawn, uniform(0.8 * mean_edge(pawn)));
 }
 
 TEST(Expected_number_of_faces, OfCoarsenings)
