@@ -45,7 +45,7 @@ case $mode in
     exit 1
   fi
   for picture in "$pictures"/schedules_*.svg; do
-    rsvg-convert -w 1500 -b white "$picture" -o "$doc/fig/$(basename "$picture" .svg).png"
+    rsvg-convert -w 1200 -b white "$picture" -o "$doc/fig/$(basename "$picture" .svg).png"
   done
   rsvg-convert -b white "$pictures/convergence.svg" -o "$doc/fig/convergence.png"
   ls -l "$doc"/fig

@@ -123,7 +123,12 @@ const char* const heading =
     "goal; for uniform sizes the goal for irregular vertices comes on top of the input's share,\n"
     "and the Jacobian need not be better than the input's. Times are of the processor, in\n"
     "microseconds for each face of the result, and for all of a call: preparing the reference\n"
-    "surface and measuring the result are included.\n\n"
+    "surface and measuring the result are included. What each ingredient of the default schedule "
+    "is\n"
+    "worth is in [ablation.md](ablation.md).\n\n"
+    "![Circular load, both schedules](fig/schedules_circular_load.png)\n"
+    "![Nosecone, both schedules](fig/schedules_nosecone.png)\n"
+    "![Plate with a hole, both schedules](fig/schedules_plate_with_hole.png)\n\n"
     "| case | schedule | faces | % f_strict <= 1 | max f_strict | efficiency | % f_s < 0.5 | "
     "min scaled Jacobian | inner valence | % irregular inner vertices | us / face | missed |\n"
     "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";

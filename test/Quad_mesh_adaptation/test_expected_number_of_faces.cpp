@@ -52,7 +52,7 @@ void expect_near(const std::string& name, Mesh mesh, const Size& size,
   ASSERT_TRUE(report.has_valid_mesh()) << report.message;
   std::cout << name << ": " << report.before.faces << " faces, expected " << expected << ", got "
             << report.after.faces << std::endl;
-  EXPECT_NEAR(expected / double(report.after.faces), 1, 0.15);
+  EXPECT_NEAR(expected / double(report.after.faces), 1, 0.12);
   EXPECT_NEAR(report.expected_number_of_faces, expected, 1e-6 * expected);
 }
 
