@@ -90,7 +90,8 @@ inline Case of_paper(const paper_cases::Paper_case& c, int k)
   return result;
 }
 
-/// The plate of the first case, as coarse as in the paper, to sizes divided by a number.
+/// The plate of the first case, as coarse as in the paper, to sizes divided by a number: about 1e4
+/// faces for 4, 1e5 for 13, 1e6 for 41.
 inline Case scaled_circular_load(int divisor)
 {
   const paper_cases::Paper_case c = paper_cases::circular_load();
@@ -115,15 +116,25 @@ inline void append_uniform(const std::string& name, const Mesh& mesh,
                       {} });
 }
 
-/// All cases; the long ones only if asked for.
-inline std::vector<Case> all_cases(const std::string& mesh_folder, bool is_long)
+/// How many cases.
+enum class Extent
 {
+  usual,
+  large, ///< also those of about 1e5 faces
+  huge   ///< and the one of about 1e6
+};
+
+/// All cases up to an extent.
+inline std::vector<Case> all_cases(const std::string& mesh_folder, Extent extent)
+{
+  const bool is_long = extent != Extent::usual;
   std::vector<Case> cases;
   for(auto* make :
       { paper_cases::circular_load, paper_cases::nosecone, paper_cases::plate_with_hole })
     for(int k : { 1, 2, 4 }) cases.push_back(of_paper(make(k), k));
   cases.push_back(scaled_circular_load(4));
   if(is_long) cases.push_back(scaled_circular_load(13));
+  if(extent == Extent::huge) cases.push_back(scaled_circular_load(41));
   for(auto* make :
       { paper_cases::circular_load, paper_cases::nosecone, paper_cases::plate_with_hole }) {
     const paper_cases::Paper_case c = make(1);

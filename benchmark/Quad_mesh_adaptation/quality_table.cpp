@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// quality_table OUTPUT.md [--long] [--only TEXT]
+// quality_table OUTPUT.md [--long | --huge] [--only TEXT] [--pictures FOLDER]
 // Adapts the cases of the paper, and other meshes to uniform sizes, with both schedules, and writes
 // what came out as a table in Markdown.  The file is complete after every row.
 
 #include "quality_cases.h"
+#include "table_text.h"
 
+#include <CGAL/Quad_mesh_adaptation/IO/File_transaction.h>
+#include <CGAL/Quad_mesh_adaptation/IO/write_picture.h>
 #include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
 #include <CGAL/adapt_quad_mesh.h>
 
@@ -18,36 +21,16 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 using quality::Case;
 
-template <class... Values>
-std::string formatted(const char* format, Values... values)
-{
-  char text[200];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
-double irregular_percent(const QMA::Mesh_measures& m)
-{
-  return m.interior_vertices
-             ? 100. * double(m.irregular_interior_vertices) / double(m.interior_vertices)
-             : 0.;
-}
-
-std::string valence_range(const QMA::Mesh_measures& m)
-{
-  std::size_t low = 0, high = 0;
-  for(const auto& [valence, count] : m.interior_valence) {
-    if(count == 0) continue;
-    if(low == 0) low = valence;
-    high = valence;
-  }
-  return low == 0 ? "-" : std::to_string(low) + "-" + std::to_string(high);
-}
+using quality::formatted;
+using quality::irregular_percent;
 
 // The goals that the adapted mesh misses, by their figures.
 std::string missed_goals(const Case& c, const QMA::Adaptation_report& report)
@@ -77,25 +60,39 @@ std::string missed_goals(const Case& c, const QMA::Adaptation_report& report)
   return missed.empty() ? "none" : missed;
 }
 
-std::string row(const Case& c, QMA::Schedule schedule)
+struct Outcome
+{
+  quality::Mesh mesh;
+  QMA::Adaptation_report report;
+  double microseconds; // of the process: other jobs do not count
+};
+
+Outcome adapt(const Case& c, QMA::Schedule schedule)
+{
+  Outcome o = { c.initial, {}, 0 };
+  const std::clock_t start = std::clock();
+  o.report =
+      c.reference
+          ? QMA::adapt_quad_mesh(c.size, o.mesh,
+                                 QMA::schedule(schedule, QMA::reference_surface(*c.reference)))
+          : QMA::adapt_quad_mesh(c.size, o.mesh, QMA::schedule(schedule));
+  o.microseconds = 1e6 * double(std::clock() - start) / CLOCKS_PER_SEC;
+  return o;
+}
+
+std::string row(const Case& c, QMA::Schedule schedule, const Outcome& o)
 {
   const bool is_default = schedule == QMA::Schedule::progressive;
   const std::string head = "| " + c.name + " | " + (is_default ? "default" : "paper") + " | ";
-  quality::Mesh mesh = c.initial;
-  const std::clock_t start = std::clock(); // of the process: other jobs do not count
-  const QMA::Adaptation_report report =
-      c.reference ? QMA::adapt_quad_mesh(
-                        c.size, mesh, QMA::schedule(schedule, QMA::reference_surface(*c.reference)))
-                  : QMA::adapt_quad_mesh(c.size, mesh, QMA::schedule(schedule));
-  const double microseconds = 1e6 * double(std::clock() - start) / CLOCKS_PER_SEC;
-  if(!report.has_valid_mesh()) return head + "refused: " + report.message + " |||||||||| |\n";
-  const QMA::Mesh_measures& m = report.after;
+  if(!o.report.has_valid_mesh()) return head + "refused: " + o.report.message + " |||||||||| |\n";
+  const QMA::Mesh_measures& m = o.report.after;
   return head +
          formatted("%zu | %.2f | %.3f | %.3f | %.2f | %.3f | %s | %.1f | %.0f | ", m.faces,
                    m.strict_size_ratio.percent_not_larger(), m.strict_size_ratio.max, m.efficiency,
-                   m.size_ratio.percent(0), m.min_scaled_jacobian, valence_range(m).c_str(),
-                   irregular_percent(m), microseconds / double(m.faces)) +
-         (is_default ? missed_goals(c, report) : "") + " |\n";
+                   m.size_ratio.percent(0), m.min_scaled_jacobian,
+                   quality::valence_range(m).c_str(), irregular_percent(m),
+                   o.microseconds / double(m.faces)) +
+         (is_default ? missed_goals(c, o.report) : "") + " |\n";
 }
 
 // What the paper prints of a case; it counts faces by the size at their centre only.
@@ -123,42 +120,84 @@ const char* const heading =
     "the figures of Anderson, Benzley and Owen (2009) on their own meshes, where the efficiency\n"
     "is that for the same size function. With k the initial mesh is k times finer and the sizes\n"
     "k times smaller. The last column names the goals that the default schedule misses, with the\n"
-    "goal. Times are of the processor, in microseconds for each face of the result, and for all\n"
-    "of a call: preparing the reference surface and measuring the result are included.\n\n"
+    "goal; for uniform sizes the goal for irregular vertices comes on top of the input's share,\n"
+    "and the Jacobian need not be better than the input's. Times are of the processor, in\n"
+    "microseconds for each face of the result, and for all of a call: preparing the reference\n"
+    "surface and measuring the result are included. What each ingredient of the default schedule "
+    "is\n"
+    "worth is in [ablation.md](ablation.md).\n\n"
+    "![Circular load, both schedules](fig/schedules_circular_load.png)\n"
+    "![Nosecone, both schedules](fig/schedules_nosecone.png)\n"
+    "![Plate with a hole, both schedules](fig/schedules_plate_with_hole.png)\n\n"
     "| case | schedule | faces | % f_strict <= 1 | max f_strict | efficiency | % f_s < 0.5 | "
     "min scaled Jacobian | inner valence | % irregular inner vertices | us / face | missed |\n"
     "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
 
-void write_table(const std::string& file, const std::string& folder, bool is_long,
-                 const std::string& only)
+struct Options
 {
-  std::ofstream out(file);
-  if(!(out << heading << std::flush)) throw std::runtime_error(file + " cannot be written");
-  for(const Case& c : quality::all_cases(folder, is_long)) {
-    if(c.name.find(only) == std::string::npos) continue;
+  std::string file, folder = QUAD_MESH_DATA_DIR "/meshes", only, pictures;
+  bool is_long = false, is_huge = false;
+
+  quality::Extent extent() const
+  {
+    return is_huge   ? quality::Extent::huge
+           : is_long ? quality::Extent::large
+                     : quality::Extent::usual;
+  }
+};
+
+// The size and what both schedules make of it, side by side.
+void write_case_picture(const Case& c, const quality::Mesh& by_default,
+                        const quality::Mesh& by_paper, const std::string& folder)
+{
+  QMA::Picture picture;
+  picture.add_sizing(c.initial, c.size, "Size asked for");
+  picture.add_mesh(by_default, "Default schedule");
+  picture.add_mesh(by_paper, "The paper's schedule");
+  QMA::File_transaction files;
+  const std::string name = c.name.substr(0, c.name.find(','));
+  const auto staged = files.stage(folder + "/schedules_" + name + ".svg", picture.svg());
+  if(!staged.ok()) throw std::runtime_error(staged.message);
+  const auto written = files.commit();
+  if(!written.ok()) throw std::runtime_error(written.message);
+}
+
+void write_table(const Options& options)
+{
+  std::ofstream out(options.file);
+  if(!(out << heading << std::flush)) throw std::runtime_error(options.file + " cannot be written");
+  for(const Case& c : quality::all_cases(options.folder, options.extent())) {
+    if(c.name.find(options.only) == std::string::npos) continue;
+    std::vector<quality::Mesh> results;
     for(QMA::Schedule schedule : { QMA::Schedule::progressive, QMA::Schedule::paper }) {
-      const std::string text = row(c, schedule);
+      Outcome outcome = adapt(c, schedule);
+      const std::string text = row(c, schedule, outcome);
       std::cout << text << std::flush;
       out << text << std::flush;
+      results.push_back(std::move(outcome.mesh));
     }
     if(!c.paper_counts) continue;
     const double ideal =
         QMA::measure_quad_mesh(c.initial, c.size).ideal_number_of_faces; // coarse: about right
     out << papers_row(c, ideal) << std::flush;
+    if(!options.pictures.empty()) write_case_picture(c, results[0], results[1], options.pictures);
   }
 }
 
 int main(int argc, char** argv)
 {
   CLI::App app("Measures adapted meshes and writes a table in Markdown.");
-  std::string file, folder = QUAD_MESH_DATA_DIR "/meshes", only;
-  bool is_long = false;
-  app.add_option("OUTPUT", file, "The table (.md)")->required();
-  app.add_flag("--long", is_long, "Also the cases of 1e5 faces and more");
-  app.add_option("--only", only, "Only the cases whose name holds this");
+  Options options;
+  app.add_option("OUTPUT", options.file, "The table (.md)")->required();
+  app.add_flag("--long", options.is_long, "Also the cases of 1e5 faces and more");
+  app.add_flag("--huge", options.is_huge, "Also that of 1e6 faces");
+  app.add_option("--only", options.only, "Only the cases whose name holds this");
+  app.add_option("--pictures", options.pictures,
+                 "Draw both schedules' meshes of the paper's cases, into this folder")
+      ->check(CLI::ExistingDirectory);
   CLI11_PARSE(app, argc, argv);
   try {
-    write_table(file, folder, is_long, only);
+    write_table(options);
   } catch(const std::exception& error) {
     std::cerr << "quality_table: " << error.what() << '\n';
     return EXIT_FAILURE;

@@ -52,7 +52,7 @@ void expect_near(const std::string& name, Mesh mesh, const Size& size,
   ASSERT_TRUE(report.has_valid_mesh()) << report.message;
   std::cout << name << ": " << report.before.faces << " faces, expected " << expected << ", got "
             << report.after.faces << std::endl;
-  EXPECT_NEAR(expected / double(report.after.faces), 1, 0.15);
+  EXPECT_NEAR(expected / double(report.after.faces), 1, 0.12);
   EXPECT_NEAR(report.expected_number_of_faces, expected, 1e-6 * expected);
 }
 
@@ -74,6 +74,10 @@ TEST(Expected_number_of_faces, OfRefinements)
   expect_near("disk, graded", disk,
               [](const Point& p) { return 0.1 + 0.2 * std::hypot(p.x(), p.y()); });
   expect_near("icf, 0.6", icf, uniform(0.6 * mean_edge(icf)));
+  const Mesh annulus = mesh_of(shape_zoo::annulus(36, 5)), pawn = read("pawn");
+  expect_near("annulus, linear", annulus,
+              [](const Point& p) { return 0.12 + 0.05 * std::abs(p.x()); });
+  expect_near("pawn, 0.8", pawn, uniform(0.8 * mean_edge(pawn)));
 }
 
 TEST(Expected_number_of_faces, OfCoarsenings)

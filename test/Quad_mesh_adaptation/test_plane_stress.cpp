@@ -5,7 +5,7 @@
 
 #include "../../examples/Quad_mesh_adaptation/support/polar_plate.h"
 #include "../../examples/Quad_mesh_adaptation/support/quarter_plate_in_tension.h"
-#include "../../examples/Quad_mesh_adaptation/support/sizes_from_error.h"
+#include "../../examples/Quad_mesh_adaptation/support/zienkiewicz_zhu.h"
 
 #include <gtest/gtest.h>
 
@@ -161,38 +161,4 @@ TEST(Plane_stress, stress_concentration_meets_the_handbook)
   // a square plate with the same hole: 3.086, a known result of quadratic elements
   const auto square = plate.solve(polar_plate(10, 10, 96, 96));
   EXPECT_NEAR(square.stress_concentration, 3.086, 0.01 * 3.086);
-}
-
-TEST(Sizes_from_error, spend_the_allowed_error_evenly)
-{
-  // with errors falling like h^2 per element, the new total must be the allowed one
-  const Plane_mesh mesh = mapped_grid(10, 10, [](double u, double v) { return Vector2d(u, v); });
-  Error_estimate estimate;
-  for(std::size_t e = 0; e < mesh.quads.size(); ++e)
-    estimate.element_error.push_back(0.01 * (1. + double(e % 7)));
-  const double allowed = 0.05;
-  const std::vector<double> sizes = element_sizes(mesh, estimate, allowed);
-  double squares = 0;
-  double number = 0;
-  for(std::size_t e = 0; e < sizes.size(); ++e) {
-    const double shrink = sizes[e] / mesh.mean_edge_length(e); // each element becomes 1/shrink^2
-    const double error = estimate.element_error[e] * shrink * shrink;
-    squares += error * error / (shrink * shrink);
-    number += 1 / (shrink * shrink);
-    EXPECT_NEAR(error, estimate.element_error[0] * std::pow(sizes[0] / 0.1, 2), 1e-14);
-  }
-  EXPECT_NEAR(std::sqrt(squares), allowed, 1e-12);
-  EXPECT_GT(number, 100.);
-}
-
-TEST(Sizes_from_error, limits_and_elements_without_error)
-{
-  const Plane_mesh mesh = mapped_grid(2, 1, [](double u, double v) { return Vector2d(2 * u, v); });
-  Error_estimate estimate;
-  estimate.element_error = { 0., 1e9 };
-  const std::vector<double> sizes =
-      nodal_sizes(mesh, element_sizes(mesh, estimate, 1.), { 0.1, 2.5 });
-  EXPECT_NEAR(sizes[0], 2.5, 1e-12);
-  EXPECT_NEAR(sizes[1], 0.5, 1e-12); // the geometric mean of 0.1 and 2.5
-  EXPECT_NEAR(sizes[2], 0.1, 1e-12);
 }

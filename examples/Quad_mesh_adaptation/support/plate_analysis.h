@@ -7,8 +7,9 @@
 #include "polar_plate.h"
 #include "quarter_plate_in_tension.h"
 #include "show_case.h"
-#include "sizes_from_error.h"
 
+#include <CGAL/Quad_mesh_adaptation/Error_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
 
 #include <algorithm>
@@ -27,18 +28,27 @@ inline Plate::Result analyse(const Mesh& mesh)
   return Plate().solve(plane_stress::plane_mesh(mesh));
 }
 
+using Plate_sizing_field =
+    CGAL::Quad_mesh_adaptation::Graded_sizing_field<CGAL::Quad_mesh_adaptation::Error_sizing_field>;
+
 /// Sizes for which the estimated error in energy norm becomes the given share of the solution's
-/// norm, between the paper's 0.04/k and 1.5/k.
-inline CGAL::Quad_mesh_adaptation::Nodal_sizing_field
-sizes_from_analysis(const Mesh& mesh, const Plate::Result& result, double share_of_energy, int k)
+/// norm, between the paper's 0.04/k and 1.5/k and with a slope of at most 0.25.
+inline Plate_sizing_field sizes_from_analysis(const Mesh& mesh, const Plate::Result& result,
+                                              double share_of_energy, int k)
 {
-  Mesh background = mesh; // carries the nodal sizes
-  auto sizes = background.add_property_map<Vertex, double>("v:size", 1.).first;
+  namespace QMA = CGAL::Quad_mesh_adaptation;
   const plane_stress::Error_estimate& e = result.estimate;
-  plane_stress::sizes_from_error(background, plane_stress::plane_mesh(mesh), e,
-                                 share_of_energy * std::hypot(e.energy_norm, e.error_norm),
-                                 { 0.04 / k, 1.5 / k }, sizes);
-  return CGAL::Quad_mesh_adaptation::Nodal_sizing_field(background, sizes);
+  Mesh with_errors = mesh;
+  auto errors = with_errors.add_property_map<Mesh::Face_index, double>("f:error", 0.).first;
+  std::size_t i = 0;
+  for(auto f : mesh.faces()) errors[f] = e.element_error[i++];
+  QMA::Error_sizing_options options;
+  options.largest_change = 100; // where one step has to do
+  options.range = { 0.04 / k, 1.5 / k };
+  const double allowed = share_of_energy * std::hypot(e.energy_norm, e.error_norm);
+  const QMA::Error_sizing_field wanted(with_errors, errors, QMA::Error_target::error(allowed),
+                                       options);
+  return Plate_sizing_field(mesh, wanted, 0.25);
 }
 
 inline void print_analysis_row(const std::string& name, const Plate::Result& r)

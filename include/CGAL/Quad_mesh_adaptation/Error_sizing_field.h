@@ -159,7 +159,7 @@ private:
   static void aim_at(const Error_target& target, internal::Optimal_sizes& optimal)
   {
     // adapted meshes have about this many faces for each that their sizes ask for
-    constexpr double faces_per_ideal_face = 1.1;
+    constexpr double faces_per_ideal_face = 1.08;
     const double present = optimal.present_error();
     require(present > 0, "all indicators are 0");
     if(target.kind == Error_target::Kind::faces)
