@@ -41,13 +41,15 @@ Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const Sizi
   const std::size_t iterations =
       choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
   const bool paper = is_paper_schedule(np);
-  return run_on_mesh(faces, is_region, sizing, mesh, np, paper,
-                     [&](Adaptation_state& s, Adaptation_report&) {
-                       if(paper)
-                         paper_schedule(s, iterations);
-                       else
-                         progressive_schedule(s, iterations);
-                     });
+  return run_on_mesh(
+      faces, is_region, sizing, mesh, np, paper,
+      [&](Adaptation_state& s, Adaptation_report&) {
+        if(paper)
+          paper_schedule(s, iterations);
+        else
+          progressive_schedule(s, iterations);
+      },
+      !paper);
 }
 
 } // namespace internal
@@ -76,7 +78,7 @@ Roundtable, 2009), section 3.3, runs step by step.
   - `number_of_iterations(n)`: the most passes of refinement; default 40;
   - `visitor(v)`, see `Adaptation_visitor`; `callback(f)`: `bool f(double)` is told the progress
     from 0 to 1 and cancels by returning `false`;
-  - `schedule()`, `aim()`, `feature_angle()`, `reference_surface()`: see parameters.h.
+  - `schedule()`, `aim()`, `symmetry()`, `feature_angle()`, `reference_surface()`: see parameters.h.
 
 \returns a report; see `Adaptation_status` for how the call ended.  Faces, edges and vertices that
   did not have to change keep their descriptors; removed ones are marked as such in a

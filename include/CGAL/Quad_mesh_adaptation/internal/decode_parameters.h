@@ -124,6 +124,12 @@ bool is_paper_schedule(const NamedParameters& np)
 }
 
 template <typename NamedParameters>
+bool decode_symmetry(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, symmetry_tag), true);
+}
+
+template <typename NamedParameters>
 Aim decode_aim(const NamedParameters& np)
 {
   if(is_paper_schedule(np)) return Aim::not_larger;

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_RUN_ON_MESH_H
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+#include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
 #include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
@@ -66,12 +67,13 @@ std::vector<std::size_t> positions_of(const std::vector<Index>& faces_of_state,
 constexpr double nearest_scale = 1.045;
 
 // What every public function does around its algorithm: import and check, build the state, run
-// `algorithm(state)`, measure, and only then write back.
+// `algorithm(state)`, measure, and only then write back.  `may_mirror`: the algorithm may run on
+// a part of a symmetric input, which is then mirrored.
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
           typename Algorithm>
 Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const SizingField& sizing,
                               QuadMesh& mesh, const NamedParameters& np, bool paper,
-                              const Algorithm& algorithm)
+                              const Algorithm& algorithm, bool may_mirror = false)
 {
   using Decoded = Decoded_parameters<QuadMesh, NamedParameters>;
   const Aim aim = decode_aim(np);
@@ -96,10 +98,17 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     if(!(features.feature_angle > 0))
       throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
     observe(np, s, clock);
-    State_builder(in, features, s)(reference ? &*reference : nullptr);
+    const auto build = [&](const Input_mesh& input, Adaptation_state& state) {
+      State_builder(input, features, state)(reference ? &*reference : nullptr);
+    };
+    build(in, s);
     report.before = measure_state(s, reference);
     refuse_too_many(report.before.ideal_number_of_faces);
-    algorithm(s, report);
+    const bool mirrored = may_mirror && !reference && decode_symmetry(np) &&
+                          adapt_mirrored(
+                              in, largest_allowed(aim), report.before.ideal_number_of_faces, build,
+                              [&](Adaptation_state& part) { algorithm(part, report); }, s);
+    if(!mirrored) algorithm(s, report);
     report.after = measure_state(s, reference);
     s.report_progress(1);
     report.iterations = s.iterations;
