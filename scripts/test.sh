@@ -6,6 +6,7 @@
 # test.sh --headers    compiles every header on its own as well
 # test.sh --sanitize   a core of the tests with the address and undefined-behaviour sanitizers
 # test.sh --cgal6      headers, examples and a core of the tests with CGAL 6
+# test.sh --long       more than 1000 random runs instead, an hour or two; QUAD_MESH_SEED repeats them
 
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,6 +15,7 @@ folder=release
 targets="all"
 options=(-DCMAKE_BUILD_TYPE=Release)
 selection=()
+is_long=no
 for argument in "$@"; do
   case $argument in
     --headers)
@@ -33,6 +35,10 @@ for argument in "$@"; do
       options+=(-DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
       selection=(-L core)
       ;;
+    --long)
+      is_long=yes
+      targets="test_random_sizes test_random_operations"
+      ;;
     *)
       sed -n '/^# test.sh/s/^# //p' "$0"
       [[ $argument == --help ]] && exit 0
@@ -47,6 +53,16 @@ if [[ $folder == cgal6_tests ]]; then
   options+=("-DCGAL_DIR=$cgal_dir")
 fi
 scripts/build.sh $folder "$targets" "${options[@]}"
+
+if [[ $is_long == yes ]]; then
+  # each run prints its seed: 25 seeds on each shape of the zoo, for each kind of size
+  export QUAD_MESH_SEED=${QUAD_MESH_SEED:-$RANDOM}
+  export QUAD_MESH_RUNS=${QUAD_MESH_RUNS:-25} QUAD_MESH_STEPS=${QUAD_MESH_STEPS:-2000}
+  for test in $targets; do
+    "build/$folder/test/Quad_mesh_adaptation/$test"
+  done | tee "build/$folder/long.log"
+  exit
+fi
 
 echo "Running the tests in build/$folder ..."
 export UBSAN_OPTIONS=print_stacktrace=1

@@ -1,66 +1,29 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// quad_adapt INPUT OUTPUT (--size H | --size-function EXPR) [options]
+// quad_adapt INPUT OUTPUT (--size H | --size-function EXPR | ...) [options]
 // Adapts a quad mesh in a file to sizes; see quad_adapt --help.
 
 #include "quad_adapt/Options.h"
 #include "quad_adapt/Progress.h"
-#include "quad_adapt/Size_expression.h"
+#include "quad_adapt/Sizes.h"
 #include "support/face_fields.h"
 #include "support/print_report.h"
 #include "support/report_json.h"
 
-#include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/IO/write_picture.h>
 #include <CGAL/Quad_mesh_adaptation/IO/write_quad_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/adapt_quad_mesh.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <string>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Size_function = std::function<double(const Point&)>;
-
-int refuse(const std::string& message, int exit_code = exit_refused)
-{
-  std::cerr << "quad_adapt: " << message << '\n';
-  return exit_code;
-}
-
-// 0, or the exit code after having said why.
-int read_sizes(const Options& options, Size_function& size)
-{
-  if(!options.size) {
-    Size_expression expression;
-    std::string message;
-    if(!expression.parse(*options.size_function, message))
-      return refuse("--size-function: " + message + "; see quad_adapt --help", exit_wrong_usage);
-    size = expression;
-    return 0;
-  }
-  const std::string& text = *options.size;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if(text.find_first_not_of(" \t") == std::string::npos || *end != 0)
-    return refuse("--size: \"" + text + "\" is not a number");
-  if(!(value > 0) || !std::isfinite(value))
-    return refuse("--size: " + text + " is not a positive finite length");
-  size = [value](const Point&) { return value; };
-  return 0;
-}
-
 // 0, or the exit code after having said why.
 int read_inputs(const Options& options, Mesh& mesh, Mesh& reference)
 {
@@ -72,21 +35,6 @@ int read_inputs(const Options& options, Mesh& mesh, Mesh& reference)
   if(options.reference.empty()) return 0;
   result = QMA::read_surface(options.reference, reference);
   return result.ok() ? 0 : refuse(result.message);
-}
-
-// Bounds the growth of the size over the mesh, and says where that lowers it.
-void limit_growth(const Options& options, const Mesh& mesh, Size_function& size)
-{
-  const QMA::Graded_sizing_field graded(mesh, size, *options.gradation);
-  if(!options.is_quiet && graded.lowered_share() > 0)
-    std::cerr << "quad_adapt: note: the size grows by more than " << *options.gradation
-              << " per unit of length, it is lowered on "
-              << std::max(1., std::round(100 * graded.lowered_share())) << " % of the surface\n";
-  if(!options.is_quiet && !graded.is_resolved())
-    std::cerr << "quad_adapt: note: the growth of the size is bounded with "
-              << graded.number_of_samples() << " samples only, up to " << graded.largest_spacing()
-              << " sizes apart\n";
-  size = graded;
 }
 
 // Before the work rather than after it.
@@ -106,7 +54,10 @@ QMA::Adaptation_report adapt(const Options& options, const Size_function& size, 
 {
   const auto schedule =
       options.schedule == "paper" ? QMA::Schedule::paper : QMA::Schedule::progressive;
-  const auto parameters = QMA::schedule(schedule, QMA::feature_angle(options.feature_angle, more));
+  const double far = options.max_distance.value_or(std::numeric_limits<double>::infinity());
+  const auto geometry = QMA::smooth_reference(options.is_smooth, QMA::max_distance(far, more));
+  const auto parameters =
+      QMA::schedule(schedule, QMA::feature_angle(options.feature_angle, geometry));
   if(options.reference.empty()) return QMA::adapt_quad_mesh(size, mesh, parameters);
   return QMA::adapt_quad_mesh(size, mesh, QMA::reference_surface(reference, parameters));
 }
@@ -143,10 +94,11 @@ int run(const Options& options)
 {
   Size_function size;
   Mesh mesh, reference;
-  int exit_code = read_sizes(options, size);
+  int exit_code = read_given_sizes(options, size);
   if(exit_code == 0) exit_code = read_inputs(options, mesh, reference);
   if(exit_code == 0) exit_code = probe_outputs(options);
   if(exit_code != 0) return exit_code;
+  add_sizes_of_surface(options, options.reference.empty() ? mesh : reference, size);
   if(options.gradation) limit_growth(options, mesh, size);
 
   const Mesh initial = options.picture.empty() ? Mesh() : mesh;

@@ -75,10 +75,14 @@ Roundtable, 2009), section 3.3, runs step by step.
   - `edge_is_constrained_map(ecm)`: these edges form feature curves; their nodes move along them
     and the edges are split or merged along them; new edges on them are marked in `ecm`;
   - `vertex_is_constrained_map(vcm)`: these vertices stay where they are;
+  - `face_patch_map(fpm)`, a model of `ReadWritePropertyMap` with any comparable value: edges
+    between different patches are feature curves, too, and new faces get the patch of those they
+    replace;
   - `number_of_iterations(n)`: the most passes of refinement; default 40;
   - `visitor(v)`, see `Adaptation_visitor`; `callback(f)`: `bool f(double)` is told the progress
     from 0 to 1 and cancels by returning `false`;
-  - `schedule()`, `aim()`, `symmetry()`, `feature_angle()`, `reference_surface()`: see parameters.h.
+  - `schedule()`, `aim()`, `symmetry()`, `feature_angle()`, `reference_surface()`,
+    `smooth_reference()`, `projector()`, `curve_projector()`, `max_distance()`: see parameters.h.
 
 \returns a report; see `Adaptation_status` for how the call ended.  Faces, edges and vertices that
   did not have to change keep their descriptors; removed ones are marked as such in a

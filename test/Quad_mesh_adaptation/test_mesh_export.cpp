@@ -51,7 +51,7 @@ void import_change_export(const Shape& shape, double feature_angle, const std::s
   s.size = core::Size_sampler([](const core::Vec&) { return 1.; }, 1.);
   core::Feature_options features;
   features.feature_angle = feature_angle;
-  core::State_builder(in, features, s)(nullptr);
+  core::State_builder(in, features, s)();
   change(s);
   core::Mesh_export<M, decltype(vpm), core::No_constraints<Edge>> write(mesh, vpm, ecm, in,
                                                                         descriptors, s);

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Quad_mesh_adaptation/IO/read_nodal_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/limit_size_gradation.h>
 
@@ -13,6 +14,7 @@
 #include <future>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -176,4 +178,39 @@ TEST(Limit_size_gradation, only_lowers_and_keeps_what_is_gentle_enough)
   for(Vertex v : b.mesh.vertices()) EXPECT_EQ(b.sizes[v], 1.);
   EXPECT_THROW(QMA::limit_size_gradation(b.mesh, b.sizes, -1.), std::invalid_argument);
   EXPECT_THROW(QMA::limit_size_gradation(b.mesh, b.sizes, std::nan("")), std::invalid_argument);
+}
+
+TEST(Nodal_sizing_field, takes_arrays_that_are_no_manifold)
+{
+  // three squares on one edge, of different orientation
+  const std::vector<Point> points = { Point(0, 0, 0),  Point(1, 0, 0),  Point(1, 1, 0),
+                                      Point(0, 1, 0),  Point(1, 0, -1), Point(0, 0, -1),
+                                      Point(1, -1, 0), Point(0, -1, 0) };
+  const std::vector<std::vector<int>> polygons = { { 0, 1, 2, 3 }, { 0, 1, 4, 5 }, { 0, 1, 6, 7 } };
+  const std::vector<double> sizes = { 1, 1, 2, 2, 4, 4, 8, 8 };
+  const Nodal_sizing_field field(points, polygons, sizes);
+  for(std::size_t v = 0; v < points.size(); ++v) EXPECT_NEAR(field(points[v]), sizes[v], 1e-9);
+  EXPECT_NEAR(field(Point(0.5, -0.5, 0)), std::sqrt(8.), 1e-9);
+  EXPECT_THROW(Nodal_sizing_field(points, polygons, { 1 }), std::invalid_argument);
+  using Polygons = std::vector<std::vector<int>>;
+  EXPECT_THROW(Nodal_sizing_field(points, Polygons{ { 0, 1, 8 } }, sizes), std::invalid_argument);
+  EXPECT_THROW(Nodal_sizing_field(points, Polygons{ { 0, 1, -1 } }, sizes), std::invalid_argument);
+  EXPECT_THROW(Nodal_sizing_field(points, Polygons{ { 0, 1 } }, sizes), std::invalid_argument);
+  EXPECT_THROW(Nodal_sizing_field(points, Polygons{}, sizes), std::invalid_argument);
+}
+
+TEST(Nodal_sizing_field, is_read_from_a_file)
+{
+  std::optional<Nodal_sizing_field> field;
+  const QMA::Read_result read =
+      QMA::read_nodal_sizes(QUAD_MESH_DATA_DIR "/meshes/background_sizes.ply", field);
+  ASSERT_TRUE(read.ok()) << read.message;
+  EXPECT_NEAR((*field)(Point(8, 0, 0)), 0.2, 1e-9);
+  EXPECT_NEAR((*field)(Point(0, 0, 0)), 0.2 + 0.12 * 8, 1e-9);
+  std::optional<Nodal_sizing_field> none;
+  EXPECT_FALSE(QMA::read_nodal_sizes("missing.ply", none).ok());
+  EXPECT_FALSE(
+      QMA::read_nodal_sizes(QUAD_MESH_DATA_DIR "/meshes/background_sizes.ply", none, "weight")
+          .ok());
+  EXPECT_FALSE(none);
 }

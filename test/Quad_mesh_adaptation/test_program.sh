@@ -94,6 +94,43 @@ expect 0 'lowered on .* % of the surface' plate.off graded.off \
 [ "$(faces graded.off)" -gt "$(($(faces jump.off) + 50))" ] || fail "--gradation changed nothing"
 expect 0 '' plate.off gentle.off --size-function '0.3 + 0.1 * x' --gradation 0.2
 [ -s .err ] && fail "--gradation lowered a gentle size"
+# sizes from elsewhere: the smallest counts, and the bounds hold
+cat >wanted.ply <<'PLY'
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+property float size
+element face 1
+property list uchar int vertex_indices
+end_header
+0 0 0 0.25
+4 0 0 1
+4 4 0 1
+0 4 0 0.25
+4 0 1 2 3
+PLY
+expect 0 '' plate.off wanted.off --background wanted.ply
+grep -q 'Faces expected beforehand' .out || fail "the number of faces is not predicted"
+[ "$(faces wanted.off)" -gt 40 ] || fail "--background asked for nothing"
+expect 0 '' plate.off coarse.off --background wanted.ply --min-size 1 --quiet
+[ "$(faces coarse.off)" -le 16 ] || fail "--min-size is not respected"
+expect 0 '' plate.off both.off --background wanted.ply --size 0.2 --quiet
+[ "$(faces both.off)" -ge 400 ] || fail "the smaller size does not count"
+awk 'NR == 2 { print; next } NR > 2 && NF == 3 { print $1, $2, 0.2 * $1 * $1; next } { print }' \
+  plate.off >bent.off
+expect 0 '' bent.off bent_12.off --curvature 12 --max-size 1 --gradation 0.3 --quiet
+expect 0 '' bent.off bent_48.off --curvature 48 --max-size 1 --gradation 0.3 --quiet
+[ "$((2 * $(faces bent_48.off)))" -gt "$((3 * $(faces bent_12.off)))" ] || fail "--curvature has no effect"
+expect 0 '' bent.off chord.off --chord-error 0.01 --max-size 1 --quiet
+[ "$(faces chord.off)" -gt 32 ] || fail "--chord-error has no effect"
+expect 0 '' bent.off across.off --proximity 3 --max-size 0.7 --quiet
+# a size that grows too fast is said
+expect 0 '' plate.off steep.off --size-function '0.1 + abs(hypot(x, y) - 3)' --report report.json
+grep -q 'Note: the size grows' .out || fail "a steep size is not told"
+grep -q '"is_too_steep": true' report.json || fail "report.json does not tell of a steep size"
 cp plate.off in_place.off
 expect 0 '' in_place.off in_place.off --size 0.5 --quiet
 [ "$(head -n 2 in_place.off | tail -n 1)" = "$(head -n 2 plate.off | tail -n 1)" ] &&
@@ -148,6 +185,16 @@ for expression in 'x - x' '-1' 'x - 2' 'sqrt(-1 - x)' '1 / (x - x)' '0 / (x - x)
   expect 1 'size' plate.off out.off --size-function "$expression" --report report.json
 done
 
+# refused backgrounds
+expect 1 'no such file' plate.off out.off --background missing.ply
+expect 1 'must end in .ply' plate.off out.off --background plate.off
+sed 's/float size/float length/' wanted.ply >bad.ply
+expect 1 'property size' plate.off out.off --background bad.ply
+sed 's/^4 0 0 1$/4 0 0 -1/' wanted.ply >bad.ply
+expect 1 'size at vertex 1' plate.off out.off --background bad.ply
+head -n 12 wanted.ply >bad.ply
+expect 1 'truncated' plate.off out.off --background bad.ply
+
 # outputs that cannot be written: known before the work, and then none is
 expect 1 'cannot be written' plate.off no/such/folder/out.off --size 1
 expect 1 'cannot be written' plate.off folder.off --size 1
@@ -169,6 +216,16 @@ expect 2 'schedule' plate.off out.off --size 1 --schedule fast
 expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle -3
 expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle wide
 expect 2 'max-iterations' plate.off out.off --size 1 --max-iterations 0
+for number in 0 -1 nan inf many; do
+  for option in --curvature --chord-error --proximity --min-size --max-size; do
+    expect 2 'curvature|chord-error|proximity|size' plate.off out.off --size 1 "$option" "$number"
+  done
+done
+expect 2 'curvature' plate.off out.off --curvature 2
+expect 2 'excludes' plate.off out.off --curvature 12 --chord-error 0.1
+expect 2 'larger than' plate.off out.off --size 1 --min-size 2 --max-size 1
+expect 2 'twice' plate.off wanted.ply --background wanted.ply
+expect 2 'size' plate.off out.off --max-size 1
 for slope in -0.1 nan steep; do
   expect 2 'gradation' plate.off out.off --size 1 --gradation "$slope"
 done

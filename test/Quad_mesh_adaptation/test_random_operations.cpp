@@ -98,7 +98,7 @@ private:
   std::string improve()
   {
     core::Local_improvement improvement(s_, core::Improvement_options());
-    improvement.activate_all();
+    s_.stir_all();
     return "clean-up, " + std::to_string(improvement.pass()) + " operations";
   }
 

@@ -10,10 +10,13 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 
 #ifndef QUAD_MESH_ADAPTATION_VERSION
@@ -24,11 +27,16 @@
 struct Options
 {
   std::string input, output;
-  std::optional<std::string> size, size_function; // exactly one is given
-  std::optional<double> gradation;                // largest slope of the size
+  std::optional<std::string> size, size_function; // at most one of the two is given
+  std::optional<double> elements_per_circle, chord_error, elements_across;
+  std::string background; // mesh with sizes at its vertices
+  std::optional<double> smallest_size, largest_size;
+  std::optional<double> gradation; // largest slope of the size
   std::string reference, report, picture;
   std::string schedule = "default";
   double feature_angle = CGAL::Quad_mesh_adaptation::default_feature_angle;
+  bool is_smooth = false;
+  std::optional<double> max_distance;
   unsigned max_iterations = 0; // 0: the library's own limit
   bool is_quiet = false;
 };
@@ -43,6 +51,23 @@ enum Exit_code
   exit_interrupted = 130
 };
 
+// A finite number from `low` on, or above 0 where `low` is 0; "nan" is a number to most parsers.
+inline CLI::Validator number_from(double low)
+{
+  return CLI::Validator(
+      [low](std::string& text) {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        const bool is_number = end != text.c_str() && *end == 0 && std::isfinite(value);
+        if(is_number && (low > 0 ? value >= low : value > 0)) return std::string();
+        std::ostringstream message;
+        message << text << " is not a finite number " << (low > 0 ? "from " : "above ") << low
+                << (low > 0 ? " on" : "");
+        return message.str();
+      },
+      "");
+}
+
 // Throws CLI::ValidationError where options contradict each other.
 inline void check_options(const Options& options)
 {
@@ -50,16 +75,63 @@ inline void check_options(const Options& options)
   if(!is_mesh_format_known(options.output))
     throw CLI::ValidationError("OUTPUT", "must end in .off, .obj, .ply, .vtk or .vtu, not be " +
                                              options.output);
-  if(!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".svg")
-    throw CLI::ValidationError("--picture", "must end in .svg, not be " + options.picture);
   if(options.gradation && std::isnan(*options.gradation))
     throw CLI::ValidationError("--gradation", "must be a number, not nan");
+  if(!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".svg")
+    throw CLI::ValidationError("--picture", "must end in .svg, not be " + options.picture);
+  if(options.smallest_size.value_or(0) >
+     options.largest_size.value_or(std::numeric_limits<double>::infinity()))
+    throw CLI::ValidationError("--min-size", "is larger than --max-size");
   // the mesh may be adapted in place, all other files must differ
-  std::set<std::string> names = { options.input, options.reference };
+  std::set<std::string> names = { options.input, options.reference, options.background };
   if(options.output == options.input) names.erase(options.input);
   for(const std::string& file : { options.output, options.report, options.picture })
     if(!file.empty() && !names.insert(file).second)
       throw CLI::ValidationError("OUTPUT, --report, --picture", file + " is named twice");
+}
+
+inline void describe_sizes(CLI::App& app, Options& options)
+{
+  auto* sizes = app.add_option_group("Sizes", "At least one; of several the smallest counts");
+  auto* size =
+      sizes->add_option("--size", options.size, "Edge length to have everywhere")->type_name("H");
+  sizes
+      ->add_option("--size-function", options.size_function,
+                   "Edge length as an expression in x, y, z")
+      ->type_name("EXPR")
+      ->excludes(size);
+  auto* circle = sizes
+                     ->add_option("--curvature", options.elements_per_circle,
+                                  "So many edges along a full circle of the surface's curvature")
+                     ->type_name("N")
+                     ->check(number_from(3));
+  sizes
+      ->add_option("--chord-error", options.chord_error,
+                   "Faces that leave the smooth surface by at most about this distance")
+      ->type_name("E")
+      ->check(number_from(0))
+      ->excludes(circle);
+  sizes
+      ->add_option("--proximity", options.elements_across,
+                   "So many edges would fit across thin parts")
+      ->type_name("N")
+      ->check(number_from(0));
+  sizes
+      ->add_option("--background", options.background,
+                   "Mesh whose vertices have a property \"size\", interpolated")
+      ->type_name("FILE.ply");
+  sizes->require_option(1, 0);
+  app.add_option("--min-size", options.smallest_size, "No edge is to be shorter than this")
+      ->type_name("H")
+      ->check(number_from(0));
+  app.add_option("--max-size", options.largest_size, "No edge is to be longer than this")
+      ->type_name("H")
+      ->check(number_from(0));
+  app.add_option("--gradation", options.gradation,
+                 "Let the size grow by at most G per unit of distance over INPUT: where the\n"
+                 "given one grows faster it is lowered; 0.2 to 0.3 suits quads [no limit]")
+      ->type_name("G")
+      ->check(CLI::Range(0., 1e6));
 }
 
 inline void describe_options(CLI::App& app, Options& options)
@@ -68,21 +140,16 @@ inline void describe_options(CLI::App& app, Options& options)
   app.add_option("OUTPUT", options.output,
                  "Where to write the adapted mesh (.off, .obj, .ply, .vtk, .vtu)")
       ->required();
-  auto* sizes = app.add_option_group("Sizes", "One of the two");
-  sizes->add_option("--size", options.size, "Edge length to have everywhere")->type_name("H");
-  sizes
-      ->add_option("--size-function", options.size_function,
-                   "Edge length as an expression in x, y, z")
-      ->type_name("EXPR");
-  sizes->require_option(1);
-  app.add_option("--gradation", options.gradation,
-                 "Let the size grow by at most G per unit of distance over INPUT: where the\n"
-                 "given one grows faster it is lowered; 0.2 to 0.3 suits quads [no limit]")
-      ->type_name("G")
-      ->check(CLI::Range(0., 1e6));
+  describe_sizes(app, options);
   app.add_option("--reference", options.reference,
-                 "Finer surface to stay on; its border curves are the curves [INPUT]")
+                 "Finer surface to stay on; its border and creases are the curves [INPUT]")
       ->type_name("SURFACE");
+  app.add_flag("--smooth-reference", options.is_smooth,
+               "Stay on the smooth surface through the vertices instead of on the facets");
+  app.add_option("--max-distance", options.max_distance,
+                 "Let no face be farther from that surface than D [no limit]")
+      ->type_name("D")
+      ->check(CLI::PositiveNumber);
   app.add_option("--feature-angle", options.feature_angle,
                  "Turn in degrees from which an edge or a corner is kept; 180 keeps none")
       ->type_name("DEG")
@@ -108,6 +175,8 @@ inline void describe_options(CLI::App& app, Options& options)
       "Examples:\n"
       "  quad_adapt plate.off adapted.vtk --size-function \"0.1 + abs(hypot(x, y) - 4.8)\"\n"
       "  quad_adapt plate.off graded.vtk --size-function \"x < 2 ? 0.1 : 5\" --gradation 0.25\n"
+      "  quad_adapt cow.off round.off --curvature 24 --max-size 0.1 --gradation 0.3\n"
+      "  quad_adapt part.off part.off --background wanted.ply --max-size 3\n"
       "  quad_adapt part.obj coarse.obj --size 2.5 --reference part_fine.ply --picture part.svg\n"
       "Exit codes:\n"
       "  0    the mesh was written, all sizes are met\n"

@@ -70,8 +70,10 @@ inline void print_measures(std::ostream& out, const Mesh_measures& a, const Mesh
   row("smallest angle, degrees", a.min_angle, b.min_angle, "%.1f");
   row("largest angle, degrees", a.max_angle, b.max_angle, "%.1f");
   row("inverted faces", double(a.inverted_faces), double(b.inverted_faces), "%.0f");
-  row("distance to the reference", a.max_distance_to_reference, b.max_distance_to_reference,
+  row("vertices off the reference", a.max_distance_to_reference, b.max_distance_to_reference,
       "%.2g");
+  row("faces off the reference", a.mesh_to_reference, b.mesh_to_reference, "%.2g");
+  row("reference off the faces", a.reference_to_mesh, b.reference_to_mesh, "%.2g");
 }
 
 // Interior vertices by their number of edges, before and after.
@@ -117,7 +119,10 @@ inline void print_report(std::ostream& out,
     print_valences(out, report.before, report.after);
     out << '\n';
     print_times(out, report);
+    if(report.expected_number_of_faces > 0)
+      out << format("Faces expected beforehand %.0f\n", report.expected_number_of_faces);
   }
+  for(const std::string& sentence : report.advice) out << "Note: " << sentence << '\n';
   out << "Result " << name_of(report.status) << " after " << report.iterations << " iterations";
   if(!report.message.empty()) out << ": " << report.message;
   out << '\n';

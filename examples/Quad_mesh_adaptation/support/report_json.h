@@ -52,7 +52,17 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Mesh_mea
     { "irregular_interior_vertices", m.irregular_interior_vertices },
     { "max_valence", m.max_valence },
     { "max_distance_to_reference", m.max_distance_to_reference },
+    { "mesh_to_reference", m.mesh_to_reference },
+    { "reference_to_mesh", m.reference_to_mesh },
   };
+}
+
+inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Size_growth& g)
+{
+  return { { "largest_slope", g.largest_slope },         { "where", g.where },
+           { "followed_slope", g.followed_slope },       { "steep_area_share", g.steep_area_share },
+           { "steep_faces_share", g.steep_faces_share }, { "steep_faces", g.steep_faces },
+           { "largest_jump", g.largest_jump },           { "is_too_steep", g.is_too_steep() } };
 }
 
 /// The whole report; numbers that are not finite become null.
@@ -66,12 +76,19 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptati
            { "reason", name_of(report.reason) },
            { "message", report.message },
            { "entity", report.entity },
+           { "expected_number_of_faces", report.expected_number_of_faces },
+           { "advice", report.advice },
+           { "size_growth", to_json(report.size_growth) },
            { "iterations", report.iterations },
            { "before", to_json(report.before) },
            { "after", to_json(report.after) },
            { "operations", operations },
            { "seconds", seconds },
-           { "faces_too_large", report.faces_too_large } };
+           { "patches", report.patches },
+           { "feature_curves", report.feature_curves },
+           { "corners", report.corners },
+           { "faces_too_large", report.faces_too_large },
+           { "faces_too_far", report.faces_too_far } };
 }
 
 #endif // QUAD_MESH_ADAPTATION_EXAMPLES_REPORT_JSON_H

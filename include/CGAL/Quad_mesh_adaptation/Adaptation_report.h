@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_ADAPTATION_REPORT_H
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+#include <CGAL/Quad_mesh_adaptation/Size_growth.h>
 
 #include <array>
 #include <cstddef>
@@ -19,7 +20,8 @@ enum class Adaptation_status
 {
   sizes_met, ///< every face (paper's schedule: every face but the paper's tolerance) is within its
              ///< size
-  sizes_not_met, ///< a valid mesh was made, but some faces are larger than asked; see `message`
+  sizes_not_met, ///< a valid mesh was made, but some faces are larger than asked or farther from
+                 ///< the reference than `max_distance()`; see `message`
   input_refused, ///< the mesh cannot be adapted; `reason` and `entity` say why and where
   sizes_refused, ///< the sizing function gave a value that is not a positive finite number
   cancelled      ///< the visitor or the callback asked to stop
@@ -67,11 +69,24 @@ struct Adaptation_report
   long entity = -1;
 
   Mesh_measures before, after; ///< filled unless the input was refused
-  std::size_t iterations = 0;  ///< passes of the driver's loop
+  /// What `expected_number_of_faces()` says, made before the work; `adapt_quad_mesh()` with the
+  /// default schedule only, otherwise 0.
+  double expected_number_of_faces = 0;
+  /// How fast the given size grows over the input mesh; filled unless the input was refused.
+  Size_growth size_growth;
+  /// Sentences for a person on what could be asked for better, no errors; without final full stop.
+  std::vector<std::string> advice;
+  std::size_t iterations = 0; ///< passes of the driver's loop
   std::vector<Operation_count> operations;
   std::vector<Phase_time> times;
   /// Faces larger than asked at the end, as positions in the iteration order of the mesh's faces.
   std::vector<std::size_t> faces_too_large;
+  /// Faces farther from the reference than `max_distance()` allows, the same way; empty without.
+  std::vector<std::size_t> faces_too_far;
+
+  /// What the mesh has in features, detected or given: maximal sets of faces that no feature curve
+  /// parts, curves from corner to corner or closed, borders among them, and corners.
+  std::size_t patches = 0, feature_curves = 0, corners = 0;
 
   bool has_valid_mesh() const
   {

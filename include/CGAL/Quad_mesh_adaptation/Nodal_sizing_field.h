@@ -31,8 +31,9 @@ namespace Quad_mesh_adaptation {
 /// The logarithm of the size is interpolated linearly over a triangulated copy of the background
 /// mesh, so that the size between two vertices never exceeds their geometric interpolation.  The
 /// field keeps the copy: the background mesh may be adapted or destroyed afterwards, and adapting
-/// it several times does not make the sizes drift.  At a point off the background mesh the size
-/// is that of its nearest point.
+/// it several times does not make the sizes drift.  It may be the
+/// mesh that is adapted, or any other mesh of the same surface.  At a point off the background mesh
+/// the size is that of its nearest point.
 ///
 /// Copies share their data.  `operator()` may be called from several threads.
 class Nodal_sizing_field
@@ -70,10 +71,42 @@ public:
         polygon.push_back(corner.at(v));
       triangulate(polygon, soup);
     }
-    if(soup.triangles.empty())
-      throw std::invalid_argument(
-          "Nodal_sizing_field: the background mesh has no face with an area");
-    data_ = std::make_shared<const Data>(std::move(soup));
+    set_data(std::move(soup));
+  }
+
+  /// The same from arrays, for a background that need not be manifold or oriented.
+  /// \param points anything with `x()`, `y()` and `z()`.
+  /// \param polygons the numbers of the points of each, at least three.
+  /// \param sizes one for each point.
+  /// \throws std::invalid_argument also if the numbers of points and sizes differ, or a number of a
+  ///         point is out of range.
+  template <class Point, class Number>
+  Nodal_sizing_field(const std::vector<Point>& points,
+                     const std::vector<std::vector<Number>>& polygons,
+                     const std::vector<double>& sizes)
+  {
+    if(points.size() != sizes.size())
+      throw std::invalid_argument("Nodal_sizing_field: not one size for each point");
+    std::vector<Corner> corners;
+    for(std::size_t v = 0; v < points.size(); ++v)
+      corners.push_back(
+          checked_corner({ CGAL::to_double(points[v].x()), CGAL::to_double(points[v].y()),
+                           CGAL::to_double(points[v].z()) },
+                         sizes[v]));
+    Soup soup;
+    std::vector<Corner> polygon;
+    for(const auto& numbers : polygons) {
+      polygon.clear();
+      for(const Number v : numbers) {
+        if(!(v >= 0 && std::size_t(v) < points.size()))
+          throw std::invalid_argument("Nodal_sizing_field: a polygon has no such point");
+        polygon.push_back(corners[std::size_t(v)]);
+      }
+      if(polygon.size() < 3)
+        throw std::invalid_argument("Nodal_sizing_field: a polygon has fewer than three points");
+      triangulate(polygon, soup);
+    }
+    set_data(std::move(soup));
   }
 
   /// Target edge length at a point (anything with `x()`, `y()` and `z()`); always positive.
@@ -108,6 +141,14 @@ private:
     std::vector<std::array<Corner, 3>> corners;
     internal::Triangle_tree tree;
   };
+
+  void set_data(Soup soup)
+  {
+    if(soup.triangles.empty())
+      throw std::invalid_argument(
+          "Nodal_sizing_field: the background mesh has no face with an area");
+    data_ = std::make_shared<const Data>(std::move(soup));
+  }
 
   static Corner checked_corner(const Vec& p, double size)
   {

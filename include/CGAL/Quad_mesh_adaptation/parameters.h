@@ -51,6 +51,22 @@ enum symmetry_t
 {
   symmetry_tag
 };
+enum smooth_reference_t
+{
+  smooth_reference_tag
+};
+enum projector_t
+{
+  projector_tag
+};
+enum curve_projector_t
+{
+  curve_projector_tag
+};
+enum max_distance_t
+{
+  max_distance_tag
+};
 
 /// Which schedule to run; default `Schedule::progressive`.
 inline Named_function_parameters<Schedule, schedule_t> schedule(Schedule s)
@@ -92,8 +108,9 @@ Named_function_parameters<double, feature_angle_t, NP> feature_angle(double degr
 }
 
 /// A finer surface (any `FaceListGraph` of triangles, quads or polygons with the internal
-/// `vertex_point` map) to stay on; its border curves replace those of the input.  Default: the
-/// input.
+/// `vertex_point` map) to stay on.  Its border curves replace those of the input, and so do its
+/// creases (edges at or above `feature_angle()`) where a feature curve of the input runs along them
+/// within half an edge; corners move to the ends of those curves.  Default: the input.
 template <typename SurfaceMesh>
 Named_function_parameters<std::reference_wrapper<const SurfaceMesh>, reference_surface_t>
 reference_surface(const SurfaceMesh& surface)
@@ -107,6 +124,71 @@ reference_surface(const SurfaceMesh& surface, const NP& np)
 {
   return Named_function_parameters<std::reference_wrapper<const SurfaceMesh>, reference_surface_t,
                                    NP>(std::cref(surface), np);
+}
+
+/// With `true` the nodes stay on a smooth surface through the vertices of the input (or of the
+/// `reference_surface()`) instead of on its facets, and on smooth curves instead of polylines:
+/// refining a coarse mesh makes it rounder.  Vertices, corners, flat parts and straight edges stay
+/// as they are, feature curves stay sharp.  Where a mesh samples a smooth surface at distances h
+/// below its radii of curvature, the error falls with h^4 inside and h^3 near curves; where facets
+/// turn by more than about 60 degrees over an edge that is no feature, they are kept.  Default:
+/// `false`.
+inline Named_function_parameters<bool, smooth_reference_t> smooth_reference(bool smooth)
+{
+  return Named_function_parameters<bool, smooth_reference_t>(smooth);
+}
+template <typename NP>
+Named_function_parameters<bool, smooth_reference_t, NP> smooth_reference(bool smooth, const NP& np)
+{
+  return Named_function_parameters<bool, smooth_reference_t, NP>(smooth, np);
+}
+
+/// The surface to stay on as a function `f(p)`: for a point on the input (or on the
+/// `reference_surface()`) the point of the true surface that belongs to it, as `Point_3` or as
+/// `std::pair<Point_3, Vector_3>` with the normal there, of any length and either sense.  `f` must
+/// be continuous; the nearest point of an analytic or CAD surface is.  It is never asked for points
+/// away from the facets, so that the nearest point is on the right side of a thin wall as long as
+/// the input itself is.  Corners and feature curves do not follow `f`, see `curve_projector()`.
+/// What `f` throws passes through, the mesh unchanged.  Default: none.
+template <typename Projector>
+Named_function_parameters<Projector, projector_t> projector(const Projector& f)
+{
+  return Named_function_parameters<Projector, projector_t>(f);
+}
+template <typename Projector, typename NP>
+Named_function_parameters<Projector, projector_t, NP> projector(const Projector& f, const NP& np)
+{
+  return Named_function_parameters<Projector, projector_t, NP>(f, np);
+}
+
+/// The same for feature curves and borders: `f(p)` is the point of the true curve that belongs to a
+/// point `p` of an input's feature curve.  Corners stay.  Default: none, nodes stay on the
+/// polylines.
+template <typename Projector>
+Named_function_parameters<Projector, curve_projector_t> curve_projector(const Projector& f)
+{
+  return Named_function_parameters<Projector, curve_projector_t>(f);
+}
+template <typename Projector, typename NP>
+Named_function_parameters<Projector, curve_projector_t, NP> curve_projector(const Projector& f,
+                                                                            const NP& np)
+{
+  return Named_function_parameters<Projector, curve_projector_t, NP>(f, np);
+}
+
+/// How far faces may be from the reference surface and its curves, and these from the faces.  Sizes
+/// are lowered where the curvature asks for it, and again (in up to four further runs) where a
+/// face is found too far; they then grow by at most 0.5 per unit of length.  All sizes in the
+/// report are the lowered ones.  What stays too far is listed in `faces_too_far`.  Default: no
+/// bound.
+inline Named_function_parameters<double, max_distance_t> max_distance(double d)
+{
+  return Named_function_parameters<double, max_distance_t>(d);
+}
+template <typename NP>
+Named_function_parameters<double, max_distance_t, NP> max_distance(double d, const NP& np)
+{
+  return Named_function_parameters<double, max_distance_t, NP>(d, np);
 }
 
 /// Whether `adapt_quad_mesh()` with the default schedule keeps mirror symmetry; default true.

@@ -61,7 +61,7 @@ inline Adaptation_state make_state(const Shape& shape, const Options& o = Option
   core::Feature_options features;
   features.feature_angle = o.feature_angle;
   const core::Input_mesh in = input_of(shape, o);
-  core::State_builder(in, features, s)(nullptr);
+  core::State_builder(in, features, s)();
   return s;
 }
 

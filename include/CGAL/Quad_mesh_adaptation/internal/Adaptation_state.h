@@ -38,6 +38,7 @@ struct Smoothing_weights
   double hinge = 0; // switched on for the last sweeps
   double hinge_at = 0.985;
   double wake = 0.003;           // neighbours look again after moves above this share of an edge
+  double stir = 0.02;            // and operations about the node are tried again above this one
   bool keep_within_size = false; // no move leaves a face above its size that was not
   double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)
 };
@@ -49,6 +50,9 @@ struct Adaptation_state
   Quad_complex mesh;
   std::vector<Feature_curve> curves;
   Reference_surface surface;
+  std::vector<Index> given_patch;            // by the patch of a face: the caller's
+  std::vector<Index> reference_patch;        // by the patch of a face: the surface's; -1: not known
+  std::function<Vec(const Vec&)> curve_lift; // from a curve's polyline to the true curve, if set
   Size_sampler size;
   Energy_weights energy;
   Smoothing_weights smoothing;
@@ -118,6 +122,16 @@ struct Adaptation_state
     restless[v] = 1;
   }
   void disturb_all() { restless.assign(mesh.vertex_end(), 1); }
+
+  // Nodes about which enough has changed for another operation to pay.
+  std::vector<char> stirred;
+
+  void stir(Index v)
+  {
+    if(v >= Index(stirred.size())) stirred.resize(mesh.vertex_end(), 1);
+    stirred[v] = 1;
+  }
+  void stir_all() { stirred.assign(mesh.vertex_end(), 1); }
 
   double cached_energy(Index f)
   {
@@ -197,10 +211,13 @@ struct Adaptation_state
                       following(reference.mean_cosine(normalized(area_vector(p)))));
   }
 
+  // Where the mesh ends at a mirror plane, a face too many is one too many on either side, and each
+  // side pays its share.
   double valence_energy(int faces, const Vertex_record& r) const
   {
     const double d = faces - r.ideal_faces;
-    return energy.valence * d * d;
+    const int images = r.carrier == Carrier::curve ? curves[r.curve].images : r.images;
+    return energy.valence * images * d * d;
   }
 
   // Puts a node where it belongs on its carrier and refreshes what hangs on its position.
@@ -211,9 +228,11 @@ struct Adaptation_state
       const Feature_curve& c = curves[r.curve];
       r.param = c.wrapped(r.param);
       r.p = c.point(r.param);
+      if(curve_lift && !c.is_frozen()) r.p = curve_lift(r.p);
     } else if(r.carrier == Carrier::surface) {
-      r.p = surface.project(r.p, r.hint);
-      r.normal = surface.normal(r.hint);
+      const Surface_point on = surface.place(r.p, r.hint);
+      r.p = on.point;
+      r.normal = on.normal;
     }
     r.h = size.at(r.p);
   }
@@ -233,6 +252,17 @@ struct Adaptation_state
     std::map<std::string, std::size_t> counts;
     for(const auto& o : operations) counts[o.first] += o.second;
     return counts;
+  }
+
+  // The triangle of the reference surface from where to look for a new node at p inside face f:
+  // that of a corner that lies on the surface, else the nearest one on the patch of f.
+  Index triangle_near(Index f, const Vec& p) const
+  {
+    for(Index v : mesh.quad(f))
+      if(mesh.vertex(v).carrier == Carrier::surface) return mesh.vertex(v).hint;
+    const Index k = mesh.patch(f);
+    const Index patch = k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
+    return surface.find(p, patch, area_vector(corners(f)));
   }
 };
 

@@ -22,6 +22,10 @@ struct Input_mesh
   std::vector<char> is_constrained; // per half-edge 4 f + i: a feature curve runs here
   std::vector<char> is_frozen;      // per half-edge: border of the region, must not change at all
   std::vector<char> is_frozen_vertex;
+  std::vector<Index> patch; // per quad, numbers of the caller's patches; empty: all the same
+
+  bool has_frozen(Index h) const { return !is_frozen.empty() && is_frozen[h]; }
+  bool has_constrained(Index h) const { return !is_constrained.empty() && is_constrained[h]; }
 };
 
 // Polygons of a reference surface cut into triangles.

@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// One pass after the other over the nodes: of all local operations about a node, the one that
-// lowers the energy most is committed.  Every commit lowers the energy by at least
+// One pass after the other over the stirred nodes: of all local operations about a node, the one
+// that lowers the energy most is committed.  Every commit lowers the energy by at least
 // energy.min_gain, so passes end.
 class Local_improvement
 {
@@ -25,28 +25,32 @@ public:
   {
   }
 
-  // All nodes, or those marked, are worth a visit.
-  void activate_all() { active_.assign(s_.mesh.vertex_end(), 1); }
-  void activate(Index v)
-  {
-    if(v >= Index(active_.size())) active_.resize(v + 1, 0);
-    active_[v] = 1;
-  }
-
-  // One pass over the active nodes; returns the number of operations committed.
+  // One pass over the stirred nodes; returns the number of operations committed.
   std::size_t pass()
   {
     std::size_t done = 0;
     std::vector<char> now;
-    now.swap(active_);
-    now.resize(s_.mesh.vertex_end(), 0);
-    active_.assign(now.size(), 0);
+    now.swap(s_.stirred);
+    now.resize(s_.mesh.vertex_end(), 1);
+    s_.stirred.assign(now.size(), 0);
     for(Index v = 0; v < s_.mesh.vertex_end(); ++v) {
       if((v & 1023) == 0) s_.check_cancelled();
       if(v >= Index(now.size()) || !now[v] || !s_.mesh.is_vertex(v)) continue;
       if(improve_at(v)) ++done;
     }
     return done;
+  }
+
+  // At most `max` passes, until one finds nothing to do.
+  std::size_t passes(int max)
+  {
+    std::size_t total = 0;
+    for(int i = 0; i < max; ++i) {
+      const std::size_t done = pass();
+      total += done;
+      if(done == 0) break;
+    }
+    return total;
   }
 
   // The best operation about node v, if any lowers the energy.
@@ -71,7 +75,7 @@ public:
     touched_.clear();
     best_->commit(&touched_);
     s_.count(best_name);
-    for(Index u : touched_) activate(u);
+    for(Index u : touched_) s_.stir(u);
     return true;
   }
 
@@ -102,7 +106,6 @@ private:
   Improvement_options options_;
   Cavity first_, second_;
   Cavity *trial_ = &first_, *best_ = &second_;
-  std::vector<char> active_;
   Operation_candidates candidates_;
   std::vector<Index> touched_;
 };

@@ -36,9 +36,10 @@ struct Mirror_part
       if(!inside) continue;
       face.push_back(Index(f));
       in.quads.push_back(all.quads[f]);
+      if(!all.patch.empty()) in.patch.push_back(all.patch[f]);
       for(std::size_t h = 4 * f; h < 4 * f + 4; ++h) {
-        in.is_constrained.push_back(!all.is_constrained.empty() && all.is_constrained[h]);
-        in.is_frozen.push_back(!all.is_frozen.empty() && all.is_frozen[h]);
+        in.is_constrained.push_back(all.has_constrained(Index(h)));
+        in.is_frozen.push_back(all.has_frozen(Index(h)));
       }
     }
     hold_corners(whole, planes);

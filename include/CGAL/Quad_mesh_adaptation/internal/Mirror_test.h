@@ -198,18 +198,18 @@ private:
 
   bool maps_constraints(const Mirror_plane& p) const
   {
-    const auto same = [](const std::vector<char>& flags, Index i, Index j) {
-      return flags.empty() || flags[i] == flags[j];
-    };
-    for(Index f = 0; f < Index(in_.quads.size()); ++f)
+    for(Index f = 0; f < Index(in_.quads.size()); ++f) {
+      if(!in_.patch.empty() && in_.patch[f] != in_.patch[p.face_partner[f]]) return false;
       for(int i = 0; i < 4; ++i) {
         const Index h = 4 * f + i, g = partner_halfedge(p, f, i);
-        if(!same(in_.is_constrained, h, g) || !same(in_.is_frozen, h, g)) return false;
+        if(in_.has_constrained(h) != in_.has_constrained(g)) return false;
+        if(in_.has_frozen(h) != in_.has_frozen(g)) return false;
         if((s_.mesh.curve(h) < 0) != (s_.mesh.curve(g) < 0)) return false;
       }
+    }
     for(Index v = 0; v < Index(p.vertex_partner.size()); ++v) {
-      if(!same(in_.is_frozen_vertex, v, p.vertex_partner[v])) return false;
-      if(s_.mesh.vertex(v).carrier != s_.mesh.vertex(p.vertex_partner[v]).carrier) return false;
+      const Vertex_record &r = s_.mesh.vertex(v), &q = s_.mesh.vertex(p.vertex_partner[v]);
+      if(r.frozen != q.frozen || r.carrier != q.carrier) return false;
     }
     return true;
   }

@@ -181,6 +181,7 @@ private:
       Vertex_record& r = vertices_[v];
       if(!is_on(v, i)) continue;
       r.ideal_faces = std::int16_t(2 * r.ideal_faces);
+      r.images = 1;
       if(is_given(v)) r.frozen = whole_.mesh.vertex(v).frozen;
       const bool was_corner = r.carrier == Carrier::corner && is_given(v) &&
                               whole_.mesh.vertex(v).carrier == Carrier::surface;
@@ -190,9 +191,22 @@ private:
       r.carrier = Carrier::surface;
       r.curve = -1;
       r.hint = -1;
-      const Vec p = whole_.surface.project(r.p, r.hint);
-      (void)p; // only the triangle is asked for
-      r.normal = whole_.surface.normal(r.hint);
+    }
+  }
+
+  // Nodes of former cuts look for their triangle from that of a neighbour.
+  void place_on_surface()
+  {
+    for(Index v = 0; v < mesh_.vertex_end(); ++v) {
+      Vertex_record& r = mesh_.vertex(v);
+      if(!mesh_.is_vertex(v) || touched_[v] == 0 || r.carrier != Carrier::surface) continue;
+      const Quad q = mesh_.quad(mesh_.face(r.halfedge));
+      for(Index u : q)
+        if(r.hint < 0 && mesh_.vertex(u).carrier == Carrier::surface) r.hint = mesh_.vertex(u).hint;
+      const Corners p = { mesh_.point(q[0]), mesh_.point(q[1]), mesh_.point(q[2]),
+                          mesh_.point(q[3]) };
+      if(r.hint < 0) r.hint = whole_.surface.find(r.p, -1, area_vector(p));
+      r.normal = whole_.surface.place(r.p, r.hint).normal;
     }
   }
 
@@ -246,7 +260,9 @@ private:
     for(std::size_t f = 0; f < behind.size(); ++f)
       for(int k = 0; behind[f] && k < 4; ++k)
         if(behind[f]->curve[k] >= 0) mesh_.set_curve(Index(4 * f) + k, behind[f]->curve[k]);
-    return find_bad_vertex();
+    const int blamed = find_bad_vertex();
+    if(blamed < 0) place_on_surface();
+    return blamed;
   }
 
   // Two faces that share two edges, or two fans of faces at one vertex: -1 if there are none.

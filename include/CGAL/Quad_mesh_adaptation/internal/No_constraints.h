@@ -23,6 +23,19 @@ struct No_constraints
   friend void put(const No_constraints&, const Key&, bool) {}
 };
 
+// All faces are of one patch.
+template <typename Key>
+struct One_patch
+{
+  using key_type = Key;
+  using value_type = int;
+  using reference = int;
+  using category = boost::read_write_property_map_tag;
+
+  friend int get(const One_patch&, const Key&) { return 0; }
+  friend void put(const One_patch&, const Key&, int) {}
+};
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -18,21 +19,40 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+using Edge_keys = std::vector<std::pair<Index, Index>>; // edges by their ends, lower one first
+
+// From a point of a triangle to the true surface above it.
+using Surface_lift = std::function<Surface_point(const Vec& foot, Index triangle)>;
+
 // The surface that nodes stay on: triangles (quads cut in two, for an AABB tree over quads would
 // see half of each), their adjacency, and an AABB tree.  A node remembers the triangle it lies
 // on; a small move is followed from triangle to neighbouring triangle, which is fast and cannot
 // jump to another sheet; the tree finds where to start and takes over when the walk is lost.
+//
+// Nobody walks across a sharp edge: the triangles between such edges are a patch, and a node stays
+// on its own.  Nor does one step lead to a triangle that faces the other way.  A lift, if set,
+// takes the point found to the surface that the triangles only approximate.
 class Reference_surface
 {
 public:
   Reference_surface() = default;
 
-  Reference_surface(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles)
+  // `sharp` is sorted.
+  Reference_surface(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles,
+                    const Edge_keys& sharp = {})
       : points_(std::move(points)), triangles_(std::move(triangles))
   {
-    link();
+    link(sharp);
+    number_patches();
     detect_plane();
   }
+
+  void set_lift(Surface_lift lift)
+  {
+    lift_ = std::move(lift);
+    planar_ = planar_ && !lift_;
+  }
+  bool has_lift() const { return bool(lift_); }
 
   bool is_planar() const { return planar_; }
   std::size_t number_of_triangles() const { return triangles_.size(); }
@@ -43,25 +63,74 @@ public:
     return { points_[c[0]], points_[c[1]], points_[c[2]] };
   }
 
+  const std::vector<Vec>& points() const { return points_; }
+  const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
+  // Across edge (i, i + 1) of triangle t; -1 at the border and at a sharp edge.
+  Index neighbour(Index t, int i) const { return neighbours_[t][i]; }
+  Index patch(Index t) const { return patches_[t]; }
+
   // Unit normal of triangle t; the plane's normal on a planar surface, whatever t.
   Vec normal(Index t) const { return planar_ ? plane_normal_ : normals_[t]; }
 
-  // Point of the surface nearest to p, looked for from triangle `hint`, which is updated;
-  // hint < 0 asks the tree.
-  Vec project(const Vec& p, Index& hint) const
+  // Point of the surface nearest to p and its normal, looked for from triangle `hint`, which is
+  // updated; hint < 0 asks the tree.  With a lift, the foot on the triangles is shifted until the
+  // point above it lies straight below p.
+  Surface_point place(const Vec& p, Index& hint) const
   {
-    if(planar_) return p - ((p - plane_point_) * plane_normal_) * plane_normal_;
-    if(hint < 0) return locate(p, hint);
-    return walk(p, hint);
+    Vec foot = nearest_foot(p, hint);
+    if(!lift_) return { foot, normal(hint) };
+    Surface_point q = lift_(foot, hint);
+    for(int i = 0; i < 3; ++i) {
+      const Vec off = p - q.point, aside = off - (off * q.normal) * q.normal;
+      const auto c = triangle(hint);
+      if(aside * aside < 1e-10 * norm(cross(c[1] - c[0], c[2] - c[0]))) break;
+      foot = walk(foot + aside, hint);
+      q = lift_(foot, hint);
+    }
+    return q;
   }
+  Vec project(const Vec& p, Index& hint) const { return place(p, hint).point; }
 
+  // The point of the surface above a point of triangle t.
+  Vec lifted(const Vec& foot, Index t) const { return lift_ ? lift_(foot, t).point : foot; }
+
+  // Of the triangles, without lift.
   double distance_to(const Vec& p) const
   {
     Index hint = -1;
     return distance(p, locate(p, hint));
   }
 
+  // On the triangles alone, also where they are planar: by walking from triangle t.
+  Vec nearest_on(const Vec& p, Index& t) const { return walk(p, t); }
+  // Of all triangles, also on a planar surface.
+  Index nearest_triangle(const Vec& p) const
+  {
+    Index t = -1;
+    locate(p, t);
+    return t;
+  }
+
+  // The triangle nearest to p among those of a patch (-1: any) that do not face away from
+  // `direction` (zero: all do); among all of them if there is none.
+  Index find(const Vec& p, Index patch, const Vec& direction) const
+  {
+    if(planar_) return -1;
+    if(!tree_) build_tree();
+    const Index t = Index(tree_->nearest_of(p, [&](std::size_t i) {
+      return (patch < 0 || patches_[i] == patch) && !(normals_[i] * direction < 0);
+    }));
+    return t >= 0 ? t : Index(tree_->nearest(p).triangle);
+  }
+
 private:
+  Vec nearest_foot(const Vec& p, Index& hint) const
+  {
+    if(planar_) return p - ((p - plane_point_) * plane_normal_) * plane_normal_;
+    if(hint < 0) return locate(p, hint);
+    return walk(p, hint);
+  }
+
   Vec locate(const Vec& p, Index& t) const
   {
     if(!tree_) build_tree();
@@ -72,25 +141,28 @@ private:
 
   Vec walk(const Vec& p, Index& t) const
   {
+    const Index start = t;
     auto here = closest_on_triangle(p, triangle(t));
     double d = (p - here.point).squared_length();
     for(int step = 0; step < 200; ++step) {
       if(here.feature == Triangle_feature::inside) return here.point;
-      const Index next = better_neighbour(p, t, here, d);
+      const Index next = better_neighbour(p, t, start, here, d);
       if(next < 0) return here.point;
       t = next;
     }
-    return locate(p, t);
+    t = find(p, patches_[start], normals_[start]);
+    return closest_on_triangle(p, triangle(t)).point;
   }
 
   // The neighbour of t, across the edge or round the corner that `here` lies on, that is nearer
   // to p; updates here and d.  -1 if there is none.
-  Index better_neighbour(const Vec& p, Index t, Closest_on_triangle& here, double& d) const
+  Index better_neighbour(const Vec& p, Index t, Index start, Closest_on_triangle& here,
+                         double& d) const
   {
     const double enough = d * (1 - 1e-12) - 1e-300;
     if(here.is_edge()) {
       const Index n = neighbours_[t][here.index];
-      return n >= 0 && improves(p, n, enough, here, d) ? n : Index(-1);
+      return n >= 0 && improves(p, n, start, enough, here, d) ? n : Index(-1);
     }
     const Index corner = triangles_[t][here.index];
     for(int side = 0; side < 2; ++side) { // both ways round, for corners on the border
@@ -99,15 +171,18 @@ private:
         const int i = corner_index(u, corner);
         const Index n = neighbours_[u][side == 0 ? (i + 2) % 3 : i];
         if(n < 0 || n == t) break;
-        if(improves(p, n, enough, here, d)) return n;
+        if(improves(p, n, start, enough, here, d)) return n;
         u = n;
       }
     }
     return -1;
   }
 
-  bool improves(const Vec& p, Index n, double enough, Closest_on_triangle& here, double& d) const
+  bool improves(const Vec& p, Index n, Index start, double enough, Closest_on_triangle& here,
+                double& d) const
   {
+    // round a thin edge to the other side; a right angle, as of a box, is still allowed
+    if(normals_[n] * normals_[start] < -0.2) return false;
     const auto there = closest_on_triangle(p, triangle(n));
     const double dn = (p - there.point).squared_length();
     if(!(dn < enough)) return false;
@@ -121,7 +196,7 @@ private:
     return triangles_[t][0] == v ? 0 : triangles_[t][1] == v ? 1 : 2;
   }
 
-  void link()
+  void link(const Edge_keys& sharp)
   {
     neighbours_.assign(triangles_.size(), { -1, -1, -1 });
     normals_.reserve(triangles_.size());
@@ -138,8 +213,31 @@ private:
     for(std::size_t i = 0; i + 1 < edges.size(); ++i) {
       const auto &e = edges[i], &f = edges[i + 1];
       if(e[0] != f[0] || e[1] != f[1]) continue;
+      if(std::binary_search(sharp.begin(), sharp.end(), std::make_pair(e[0], e[1]))) continue;
       neighbours_[e[2]][e[3]] = f[2];
       neighbours_[f[2]][f[3]] = e[2];
+    }
+  }
+
+  void number_patches()
+  {
+    patches_.assign(triangles_.size(), -1);
+    Index number = 0;
+    std::vector<Index> todo;
+    for(std::size_t first = 0; first < triangles_.size(); ++first) {
+      if(patches_[first] >= 0) continue;
+      patches_[first] = number;
+      todo.push_back(Index(first));
+      while(!todo.empty()) {
+        const Index t = todo.back();
+        todo.pop_back();
+        for(Index n : neighbours_[t]) {
+          if(n < 0 || patches_[n] >= 0) continue;
+          patches_[n] = number;
+          todo.push_back(n);
+        }
+      }
+      ++number;
     }
   }
 
@@ -177,6 +275,8 @@ private:
   std::vector<Vec> points_;
   std::vector<std::array<Index, 3>> triangles_, neighbours_; // neighbour i: across edge i, i+1
   std::vector<Vec> normals_;
+  std::vector<Index> patches_;
+  Surface_lift lift_;
   bool planar_ = false;
   Vec plane_normal_ = Vec(0, 0, 1), plane_point_ = Vec(0, 0, 0);
   mutable std::shared_ptr<Triangle_tree> tree_; // built at the first question only

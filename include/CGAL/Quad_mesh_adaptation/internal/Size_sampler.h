@@ -42,6 +42,7 @@ public:
 
   // From now on, everything works against `factor` times the size that was given.
   void scale_by(double factor) { scale_ = factor; }
+
   double scale() const { return scale_; }
 
   double at(const Vec& p) const { return scale_ * unscaled(p); }

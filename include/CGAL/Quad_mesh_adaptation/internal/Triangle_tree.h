@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_TRIANGLE_TREE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_TRIANGLE_TREE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/closest_point.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <CGAL/AABB_tree.h>
@@ -16,7 +17,9 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -62,7 +65,64 @@ public:
              std::size_t(found.second - triangles_.cbegin()) };
   }
 
+  // The first triangle on a ray but for those that `skip(number)` is true for; -1 if there is none.
+  template <class Skip>
+  Index first_on_ray(const Vec& origin, const Vec& direction, const Skip& skip) const
+  {
+    const Core_kernel::Ray_3 ray(Core_kernel::Point_3(origin.x(), origin.y(), origin.z()),
+                                 direction);
+    const auto found = tree_.first_intersected_primitive(
+        ray, [&](Iterator t) { return skip(Index(t - triangles_.cbegin())); });
+    return found ? Index(*found - triangles_.cbegin()) : Index(-1);
+  }
+
+  // The triangle nearest to p among those that `accept(number)` likes; -1 if there is none.
+  template <typename Accept>
+  long nearest_of(const Vec& p, const Accept& accept) const
+  {
+    Search<Accept> search{ triangles_.cbegin(), p, accept };
+    tree_.traversal(p, search);
+    return search.best;
+  }
+
 private:
+  // What the tree's traversal asks: boxes and triangles nearer than the best so far.
+  template <typename Accept>
+  struct Search
+  {
+    Iterator first;
+    Vec p;
+    const Accept& accept;
+    long best = -1;
+    double distance2 = (std::numeric_limits<double>::max)();
+
+    bool go_further() const { return true; }
+
+    template <typename Node>
+    bool do_intersect(const Vec&, const Node& node) const
+    {
+      const CGAL::Bbox_3& b = node.bbox();
+      double d2 = 0;
+      for(int i = 0; i < 3; ++i) {
+        const double x = (std::max)({ (b.min)(i)-p[i], p[i] - (b.max)(i), 0. });
+        d2 += x * x;
+      }
+      return d2 < distance2;
+    }
+
+    void intersection(const Vec&, const Primitive& primitive)
+    {
+      const std::size_t i = std::size_t(primitive.id() - first);
+      if(!accept(i)) return;
+      const auto corner = [&](int k) { return primitive.id()->vertex(k) - CGAL::ORIGIN; };
+      const Vec q = closest_on_triangle(p, { corner(0), corner(1), corner(2) }).point;
+      const double d2 = (p - q).squared_length();
+      if(!(d2 < distance2)) return;
+      distance2 = d2;
+      best = long(i);
+    }
+  };
+
   std::vector<Triangle_3> triangles_;
   CGAL::AABB_tree<Traits> tree_;
 };

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,21 @@ inline void observe_part(const Adaptation_state& whole, std::size_t images, Adap
   };
 }
 
+// What the part has to know of its images: how many of them meet at its nodes.
+inline void set_images(const Mirror_part::Cut& cut, const Input_mesh& in,
+                       const std::vector<Mirror_plane>& planes, const Adaptation_state& whole,
+                       Adaptation_state& part)
+{
+  for(std::size_t c = 0; c < part.curves.size(); ++c)
+    if(cut.plane[c] >= 0) part.curves[c].images = 2;
+  for(Index v = 0; v < Index(in.points.size()); ++v) {
+    Vertex_record& r = part.mesh.vertex(v);
+    r.frozen = whole.mesh.vertex(v).frozen; // a corner now, which is enough to hold it
+    for(const Mirror_plane& p : planes)
+      if(p.has_vertex(v)) r.images = std::int16_t(2 * r.images);
+  }
+}
+
 // Adapts one part and completes the whole by its images.  Returns the plane to blame where they do
 // not make a valid mesh of the same sizes, and leaves the state alone; -1 after success.
 template <typename Build, typename Algorithm>
@@ -48,14 +64,15 @@ int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, do
   }
   Mirror_part::Cut cut = origin.cut_of(part, whole, planes);
   if(!cut.is_known) return last;
-  for(Index v = 0; v < Index(in.points.size()); ++v) // corners now, which is enough
-    part.mesh.vertex(v).frozen = whole.mesh.vertex(v).frozen;
+  set_images(cut, in, planes, whole, part);
   algorithm(part);
   Mirror_unfolding unfold(in, whole, part, origin, std::move(cut), planes);
   const int blamed = unfold(limit);
   if(blamed >= 0) return blamed;
   whole.mesh = std::move(unfold.mesh());
   whole.curves = std::move(unfold.curves());
+  whole.given_patch = std::move(part.given_patch);
+  whole.reference_patch.assign(whole.given_patch.size(), -1);
   whole.iterations += part.iterations;
   for(const auto& o : part.operations) whole.count(o.first, images * o.second);
   whole.forget_faces();

@@ -5,11 +5,17 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_BUILD_STATE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_tracer.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
-#include <CGAL/Quad_mesh_adaptation/internal/reference_curves.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Reference_matcher.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Smooth_surface.h>
+#include <CGAL/Quad_mesh_adaptation/internal/User_projector.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +28,18 @@ struct Feature_options
   double feature_angle = default_feature_angle; // degrees
 };
 
+// What nodes are to stay on, beside the input itself.
+struct Geometry_options
+{
+  const Triangle_soup* reference = nullptr;
+  bool smooth = false;
+  User_projector projector;                  // empty: none
+  std::function<Vec(const Vec&)> curve_lift; // empty: none
+
+  // Nodes stay on the facets and polylines of the input.
+  bool is_flat_input() const { return !reference && !smooth && !projector && !curve_lift; }
+};
+
 // Finds border, creases, corners and curves of the input and puts every node on its carrier.
 class State_builder
 {
@@ -31,14 +49,19 @@ public:
   {
   }
 
-  void operator()(const Triangle_soup* reference)
+  void operator()(const Geometry_options& geometry = Geometry_options())
   {
     make_complex();
     mark_features();
     mark_corners();
-    make_surface(reference);
-    trace_curves();
-    if(reference) move_border_to(*reference);
+    Curve_tracer tracer(in_, s_, geometry.smooth && !geometry.reference);
+    tracer();
+    number_patches();
+    if(geometry.reference)
+      use_reference(*geometry.reference, geometry);
+    else
+      use_input(tracer.edges(), geometry);
+    s_.curve_lift = geometry.curve_lift;
     place_nodes();
     set_ideal_valences();
   }
@@ -87,7 +110,8 @@ private:
     Quad_complex& m = s_.mesh;
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
       const Index o = m.opposite(h);
-      bool feature = o < 0 || (!in_.is_constrained.empty() && in_.is_constrained[h]);
+      bool feature = o < 0 || in_.has_constrained(h);
+      if(!feature && !in_.patch.empty()) feature = in_.patch[m.face(h)] != in_.patch[m.face(o)];
       if(!feature && o > h && !off_) {
         const Vec a = area_vector(s_.corners(m.face(h))), b = area_vector(s_.corners(m.face(o)));
         feature = a * b < cos_ * norm(a) * norm(b);
@@ -111,20 +135,17 @@ private:
       const auto& e = ends[v];
       if(e.empty() && !r.frozen) continue;
       r.carrier = e.size() == 2 && !r.frozen && !turns(v, e[0], e[1]) &&
-                          is_frozen(e[0]) == is_frozen(e[1]) &&
+                          in_.has_frozen(e[0]) == in_.has_frozen(e[1]) &&
                           is_constrained(e[0]) == is_constrained(e[1])
                       ? Carrier::curve
                       : Carrier::corner;
     }
   }
 
-  bool is_frozen(Index h) const { return !in_.is_frozen.empty() && in_.is_frozen[h]; }
-
   bool is_constrained(Index h) const
   {
     const Index o = s_.mesh.opposite(h);
-    return !in_.is_constrained.empty() &&
-           (in_.is_constrained[h] || (o >= 0 && in_.is_constrained[o]));
+    return in_.has_constrained(h) || (o >= 0 && in_.has_constrained(o));
   }
 
   bool turns(Index v, Index g, Index h) const
@@ -136,108 +157,99 @@ private:
     return a * b < c * norm(a) * norm(b);
   }
 
-  void make_surface(const Triangle_soup* reference)
+  // Faces that no curve parts are a patch.
+  void number_patches()
   {
-    if(reference) {
-      s_.surface = Reference_surface(reference->points, reference->triangles);
-      return;
+    Quad_complex& m = s_.mesh;
+    Index number = 0;
+    std::vector<char> seen(m.face_end(), 0);
+    std::vector<Index> todo;
+    for(Index first = 0; first < m.face_end(); ++first) {
+      if(seen[first]) continue;
+      seen[first] = 1;
+      todo.push_back(first);
+      while(!todo.empty()) {
+        const Index f = todo.back();
+        todo.pop_back();
+        m.set_patch(f, number);
+        for(Index h = 4 * f; h < 4 * f + 4; ++h) {
+          if(m.curve(h) >= 0 || seen[m.face(m.opposite(h))]) continue;
+          seen[m.face(m.opposite(h))] = 1;
+          todo.push_back(m.face(m.opposite(h)));
+        }
+      }
+      s_.given_patch.push_back(in_.patch.empty() ? 0 : in_.patch[first]);
+      ++number;
     }
+  }
+
+  void use_input(const Hermite_edges& edges, const Geometry_options& geometry)
+  {
     Triangle_soup soup;
     soup.points = in_.points;
     for(const Quad& q : in_.quads) append_quad(soup, q);
+    Edge_keys sharp;
+    for(const auto& e : edges) sharp.push_back(e.first);
+    s_.surface = Reference_surface(std::move(soup.points), std::move(soup.triangles), sharp);
     for(std::size_t f = 0; f < in_.quads.size(); ++f)
       for(Index v : in_.quads[f]) s_.mesh.vertex(v).hint = Index(2 * f); // a triangle next to it
-    s_.surface = Reference_surface(std::move(soup.points), std::move(soup.triangles));
+    s_.reference_patch.resize(s_.given_patch.size());
+    for(std::size_t f = 0; f < in_.quads.size(); ++f)
+      s_.reference_patch[s_.mesh.patch(Index(f))] = s_.surface.patch(Index(2 * f));
+    lift_surface(edges, geometry);
   }
 
-  void trace_curves()
+  void use_reference(const Triangle_soup& reference, const Geometry_options& geometry)
   {
     Quad_complex& m = s_.mesh;
-    std::vector<Index> number(4 * std::size_t(m.face_end()), -2); // -2: feature, not traced yet
-    for(int round = 0; round < 2; ++round)                        // from corners, then the loops
-      for(Index h = 0; h < 4 * m.face_end(); ++h) {
-        if(m.curve(h) < 0 || number[h] != -2) continue;
-        if(round == 0) {
-          const bool a = m.vertex(m.origin(h)).carrier == Carrier::corner;
-          const bool b = m.vertex(m.target(h)).carrier == Carrier::corner;
-          if(a)
-            trace(h, m.origin(h), number);
-          else if(b)
-            trace(h, m.target(h), number);
-        } else {
-          trace(h, m.origin(h), number);
-        }
-      }
-    for(Index h = 0; h < 4 * m.face_end(); ++h)
-      if(m.curve(h) >= 0) m.set_curve(h, number[h]);
+    Reference_matcher match(reference, cos_, off_, s_);
+    match();
+    s_.surface = Reference_surface(reference.points, reference.triangles, match.sharp());
+    if(!s_.surface.is_planar()) match_patches();
+    lift_surface(match.edges(), geometry);
+    std::vector<Index> out;
+    for(Index v = 0; v < m.vertex_end(); ++v) {
+      Vertex_record& r = m.vertex(v);
+      if(!m.is_vertex(v) || r.carrier != Carrier::surface || s_.surface.is_planar()) continue;
+      Vec n(0, 0, 0);
+      m.outgoing(v, out);
+      for(Index h : out) n = n + area_vector(s_.corners(m.face(h)));
+      r.hint = s_.surface.find(r.p, s_.reference_patch[m.patch(m.face(r.halfedge))], n);
+    }
   }
 
-  // Follows the curve of h from vertex "from" to its end.
-  void trace(Index h, Index from, std::vector<Index>& number)
-  {
-    Quad_complex& m = s_.mesh;
-    const Index id = Index(s_.curves.size());
-    const Index start = h;
-    const bool border = m.is_border(h), frozen = is_frozen(h);
-    std::vector<Vec> points = { m.point(from) };
-    std::vector<Index> path = { from };
-    Index v = from;
-    while(h >= 0 && number[h] == -2) {
-      number[h] = id;
-      if(m.opposite(h) >= 0) number[m.opposite(h)] = id;
-      const bool forward = m.origin(h) == v;
-      v = forward ? m.target(h) : m.origin(h);
-      points.push_back(m.point(v));
-      path.push_back(v);
-      if(m.vertex(v).carrier == Carrier::corner) break;
-      h = next_feature(v, h);
-    }
-    const bool closed = v == from && m.vertex(from).carrier != Carrier::corner;
-    Feature_curve c(points, closed, border, frozen);
-    c.constrained = is_constrained(start);
-    if(!closed) {
-      c.first_corner = from;
-      c.last_corner = v;
-    }
-    for(std::size_t i = 0; i + (closed ? 1 : 0) < path.size(); ++i) {
-      Vertex_record& r = m.vertex(path[i]);
-      if(r.carrier != Carrier::curve) continue;
-      r.curve = id;
-      r.param = c.arcs()[i];
-    }
-    s_.curves.push_back(std::move(c));
-  }
-
-  // The other feature edge at curve node v, as a half-edge in whichever direction has a face.
-  Index next_feature(Index v, Index h) const
+  // A patch of the input lies on the patch of the reference that nearly all its faces are nearest
+  // to; where they do not agree, the reference has no such patch.
+  void match_patches()
   {
     const Quad_complex& m = s_.mesh;
-    const Index o = m.opposite(h);
-    std::vector<Index> out;
-    m.outgoing(v, out);
-    for(Index g : out)
-      if(m.curve(g) >= 0 && g != h && g != o) return g;
-    const Index last = m.prev(out.back());
-    return m.is_border(last) && last != h ? last : Index(-1);
+    std::vector<std::vector<Index>> found(s_.given_patch.size());
+    for(Index f = 0; f < m.face_end(); ++f) {
+      const Corners p = s_.corners(f);
+      const Index t = s_.surface.find(0.25 * (p[0] + p[1] + p[2] + p[3]), -1, area_vector(p));
+      found[m.patch(f)].push_back(s_.surface.patch(t));
+    }
+    s_.reference_patch.assign(found.size(), -1);
+    for(std::size_t k = 0; k < found.size(); ++k) {
+      std::sort(found[k].begin(), found[k].end());
+      const std::size_t n = found[k].size();
+      const Index middle = found[k][n / 2];
+      const auto same = std::equal_range(found[k].begin(), found[k].end(), middle);
+      if(10 * std::size_t(same.second - same.first) >= 9 * n) s_.reference_patch[k] = middle;
+    }
   }
 
-  void move_border_to(const Triangle_soup& reference)
+  void lift_surface(const Hermite_edges& edges, const Geometry_options& geometry)
   {
-    const std::vector<Feature_curve> loops = border_loops(reference);
-    if(loops.empty()) return;
-    for(Feature_curve& c : s_.curves)
-      if(c.is_border() && !c.is_frozen()) c = curve_on_reference(c, loops);
-    for(Index v = 0; v < s_.mesh.vertex_end(); ++v) {
-      Vertex_record& r = s_.mesh.vertex(v);
-      if(s_.mesh.is_vertex(v) && r.carrier == Carrier::curve)
-        r.param = s_.curves[r.curve].nearest(r.p);
-    }
-    for(const Feature_curve& c : s_.curves) {
-      if(c.is_closed() || !c.is_border() || c.is_frozen()) continue;
-      Vertex_record &a = s_.mesh.vertex(c.first_corner), &b = s_.mesh.vertex(c.last_corner);
-      if(!a.frozen) a.p = c.points().front();
-      if(!b.frozen) b.p = c.points().back();
-    }
+    const bool project = bool(geometry.projector);
+    if(!project && (!geometry.smooth || s_.surface.is_planar())) return;
+    const auto smooth = std::make_shared<const Smooth_surface>(s_.surface, edges);
+    if(!project)
+      s_.surface.set_lift([smooth](const Vec& foot, Index t) { return (*smooth)(foot, t); });
+    else
+      s_.surface.set_lift([smooth, f = geometry.projector](const Vec& foot, Index t) {
+        return checked_projection(f, foot, (*smooth)(foot, t).normal);
+      });
   }
 
   void place_nodes()

@@ -13,22 +13,24 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Topological clean-up of the whole mesh: passes of local operations, each lowering the energy,
-// until one finds nothing to do, then a little smoothing.  Returns the number of operations.
+// Topological clean-up about the stirred nodes: passes of local operations, each lowering the
+// energy, until one finds nothing to do, then a little smoothing.  Returns the number of
+// operations.
+inline std::size_t clean_up_stirred(Adaptation_state& s, const Improvement_options& o,
+                                    int max_passes, int smoothing_sweeps)
+{
+  Phase_scope phase(s, "clean-up");
+  const std::size_t done = Local_improvement(s, o).passes(max_passes);
+  smooth(s, smoothing_sweeps);
+  return done;
+}
+
+// The same everywhere.
 inline std::size_t clean_up(Adaptation_state& s, const Improvement_options& o, int max_passes,
                             int smoothing_sweeps)
 {
-  Phase_scope phase(s, "clean-up");
-  Local_improvement improvement(s, o);
-  improvement.activate_all();
-  std::size_t total = 0;
-  for(int pass = 0; pass < max_passes; ++pass) {
-    const std::size_t done = improvement.pass();
-    total += done;
-    if(done == 0) break;
-  }
-  smooth(s, smoothing_sweeps);
-  return total;
+  s.stir_all();
+  return clean_up_stirred(s, o, max_passes, smoothing_sweeps);
 }
 
 } // namespace internal

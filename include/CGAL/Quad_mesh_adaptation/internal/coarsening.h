@@ -32,10 +32,8 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
       relaxed.open = false;
       relaxed.max_valence = 6;
       relaxed.min_jacobian = 0.3;
-      Local_improvement improvement(s, relaxed);
-      improvement.activate_all();
-      for(int pass = 0; pass < 3; ++pass)
-        if(improvement.pass() == 0) break;
+      s.stir_all();
+      Local_improvement(s, relaxed).passes(3);
       smooth(s, 3);
       s.energy.valence = strict;
       s.forget_energies();

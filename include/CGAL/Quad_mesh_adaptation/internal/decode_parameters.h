@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_clock.h>
+#include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
@@ -15,6 +16,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -39,6 +41,14 @@ Size_sampler make_sampler(const SizingField& sizing)
   }
 }
 
+inline std::string describe(const Bad_projection& e)
+{
+  std::ostringstream text;
+  text << "the projector gave no finite point for (" << e.where.x() << ", " << e.where.y() << ", "
+       << e.where.z() << ")";
+  return text.str();
+}
+
 inline std::string describe(const Bad_size& e)
 {
   std::ostringstream text;
@@ -55,6 +65,7 @@ struct Decoded_parameters
   using Point = typename boost::property_traits<Vpm>::value_type;
   using Edge = typename boost::graph_traits<QuadMesh>::edge_descriptor;
   using Vertex = typename boost::graph_traits<QuadMesh>::vertex_descriptor;
+  using Face = typename boost::graph_traits<QuadMesh>::face_descriptor;
 
   static Vpm vertex_point_map(QuadMesh& mesh, const NamedParameters& np)
   {
@@ -72,6 +83,11 @@ struct Decoded_parameters
         parameters::get_parameter(np, internal_np::vertex_is_constrained),
         No_constraints<Vertex>());
   }
+  static auto patch_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::face_patch),
+                                        One_patch<Face>());
+  }
 };
 
 template <typename NamedParameters>
@@ -81,6 +97,51 @@ std::optional<Triangle_soup> decode_reference(const NamedParameters& np)
     return std::nullopt;
   else
     return import_reference(parameters::get_parameter(np, reference_surface_tag).get());
+}
+
+// The caller's function from points to points, or to pairs of point and normal, as the core's.
+template <typename Point, typename Function>
+User_projector make_projector(Function f)
+{
+  return [f](const Vec& p) {
+    const auto q = f(Point(p.x(), p.y(), p.z()));
+    if constexpr(std::is_convertible_v<decltype(q), Point>)
+      return Surface_point{ to_vec(Point(q)), Vec(0, 0, 0) };
+    else
+      return Surface_point{ to_vec(q.first), to_vec(q.second) };
+  };
+}
+
+template <typename Point, typename NamedParameters>
+Geometry_options decode_geometry(const NamedParameters& np)
+{
+  using CGAL::parameters::is_default_parameter;
+  Geometry_options g;
+  g.smooth =
+      parameters::choose_parameter(parameters::get_parameter(np, smooth_reference_tag), false);
+  if constexpr(!is_default_parameter<NamedParameters, projector_t>::value)
+    g.projector = make_projector<Point>(parameters::get_parameter(np, projector_tag));
+  if constexpr(!is_default_parameter<NamedParameters, curve_projector_t>::value)
+    g.curve_lift = [f = make_projector<Point>(parameters::get_parameter(np, curve_projector_tag))](
+                       const Vec& p) {
+      const Vec q = f(p).point;
+      if(!is_finite(q)) throw Bad_projection{ p };
+      return q;
+    };
+  if(g.smooth && g.projector)
+    throw Refused{ Refusal::invalid_parameter,
+                   "a smooth reference and a projector cannot be asked for at once" };
+  return g;
+}
+
+// Infinite: no bound was asked for.
+template <typename NamedParameters>
+double decode_max_distance(const NamedParameters& np)
+{
+  const double d = parameters::choose_parameter(parameters::get_parameter(np, max_distance_tag),
+                                                std::numeric_limits<double>::infinity());
+  if(!(d > 0)) throw Refused{ Refusal::invalid_parameter, "the largest distance must be positive" };
+  return d;
 }
 
 template <typename T>

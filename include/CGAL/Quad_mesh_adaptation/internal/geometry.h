@@ -22,6 +22,12 @@ using Vec = Core_kernel::Vector_3; // a position or a difference of positions
 using Index = std::int32_t;        // vertex, face or half-edge number; -1 is none
 using Quad = std::array<Index, 4>;
 
+// A point of a surface with its unit normal.
+struct Surface_point
+{
+  Vec point, normal;
+};
+
 // The caller's sizing field behind one type: target edge length at a position.
 using Size_function = std::function<double(const Vec&)>;
 

@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -36,6 +37,18 @@ inline void judge_sizes(Adaptation_report& r, bool paper, Aim aim, std::size_t l
        << (aim == Aim::nearest ? "more than a factor of sqrt(2) larger than asked"
                                : "larger than asked")
        << ", the largest " << t.max << " times its size";
+  r.message = text.str();
+}
+
+// The same for the distance to the reference, if one was asked for.
+inline void judge_distances(Adaptation_report& r, double allowed, std::size_t far)
+{
+  if(far == 0) return;
+  r.status = Adaptation_status::sizes_not_met;
+  std::ostringstream text;
+  text << (r.message.empty() ? "" : r.message + "; ") << far << " of " << r.after.faces
+       << " faces are farther than " << allowed << " from the reference, the farthest "
+       << (std::max)(r.after.mesh_to_reference, r.after.reference_to_mesh);
   r.message = text.str();
 }
 

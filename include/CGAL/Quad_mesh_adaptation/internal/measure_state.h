@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_STATE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure.h>
 
@@ -33,9 +34,10 @@ inline Mesh_measures measure_state(const Adaptation_state& s,
   double far = 0;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
     if(!s.mesh.is_vertex(v)) continue;
-    points[v] = s.mesh.point(v);
-    Index hint = s.mesh.vertex(v).hint;
-    far = (std::max)(far, distance(points[v], s.surface.project(points[v], hint)));
+    Vertex_record r = s.mesh.vertex(v);
+    points[v] = r.p;
+    s.place(r);
+    far = (std::max)(far, distance(points[v], r.p));
   }
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f)) quads.push_back(s.mesh.quad(f));
@@ -48,6 +50,9 @@ inline Mesh_measures measure_state(const Adaptation_state& s,
     m = measure(points, quads, size);
   }
   m.max_distance_to_reference = far;
+  const Distance_measure distances(s);
+  m.mesh_to_reference = distances.to_reference();
+  m.reference_to_mesh = distances.from_reference();
   return m;
 }
 

@@ -5,12 +5,14 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MESH_IMPORT_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -38,7 +40,9 @@ Vec to_vec(const Point& p)
 // face by face; throws Refused.  The number of an entity in a message is its position in the
 // iteration over the mesh.
 template <typename QuadMesh, typename VertexPointMap, typename EdgeConstrainedMap,
-          typename VertexConstrainedMap>
+          typename VertexConstrainedMap,
+          typename FacePatchMap =
+              One_patch<typename boost::graph_traits<QuadMesh>::face_descriptor>>
 class Mesh_import
 {
   using Traits = boost::graph_traits<QuadMesh>;
@@ -47,11 +51,16 @@ class Mesh_import
   using face_descriptor = typename Traits::face_descriptor;
 
 public:
+  using Patch = typename boost::property_traits<FacePatchMap>::value_type;
+
   Mesh_import(const QuadMesh& mesh, VertexPointMap vpm, EdgeConstrainedMap ecm,
-              VertexConstrainedMap vcm)
-      : mesh_(mesh), vpm_(vpm), ecm_(ecm), vcm_(vcm)
+              VertexConstrainedMap vcm, FacePatchMap fpm = FacePatchMap())
+      : mesh_(mesh), vpm_(vpm), ecm_(ecm), vcm_(vcm), fpm_(fpm)
   {
   }
+
+  // The caller's patch behind each number in Input_mesh::patch.
+  const std::vector<Patch>& patches() const { return patches_; }
 
   template <typename FaceRange>
   void operator()(const FaceRange& chosen, bool is_region, Input_mesh& in,
@@ -102,10 +111,20 @@ private:
     }
     check_shape(q, position, in);
     in.quads.push_back(q);
+    in.patch.push_back(number_of_patch(get(fpm_, f)));
     out.first_halfedge.push_back(h0);
     for(int i = 0; i < 4; ++i)
       if(in.is_frozen[4 * in.quads.size() - 4 + i])
         in.is_frozen_vertex[q[i]] = in.is_frozen_vertex[q[(i + 1) & 3]] = 1;
+  }
+
+  Index number_of_patch(const Patch& p)
+  {
+    if(!patches_.empty() && patches_[last_patch_] == p) return last_patch_;
+    const auto it = std::find(patches_.begin(), patches_.end(), p);
+    last_patch_ = Index(it - patches_.begin());
+    if(it == patches_.end()) patches_.push_back(p);
+    return last_patch_;
   }
 
   // Where parts of the region meet in a vertex only, each part has its own number for it: the
@@ -194,6 +213,9 @@ private:
   VertexPointMap vpm_;
   EdgeConstrainedMap ecm_;
   VertexConstrainedMap vcm_;
+  FacePatchMap fpm_;
+  std::vector<Patch> patches_;
+  Index last_patch_ = 0;
   typename boost::property_map<QuadMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type
       number_of_;
   typename boost::property_map<QuadMesh, CGAL::dynamic_halfedge_property_t<Index>>::const_type

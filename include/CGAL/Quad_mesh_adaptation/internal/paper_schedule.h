@@ -57,27 +57,6 @@ inline bool is_refinement_sufficient(const Refine_classes& c, Index number_of_fa
   return double(c.low.size()) < 0.03 * all && double(c.high.size()) < 0.005 * all;
 }
 
-// 2-refinement of whole faces: all their edges are split, and the transition templates around
-// them follow from the T-join with as few further splits as possible.  Edges of the region are
-// never given up, unless no other solution exists.
-inline std::size_t refine_faces(Adaptation_state& s, const std::vector<Index>& faces)
-{
-  const Quad_complex& m = s.mesh;
-  std::vector<double> wish(4 * std::size_t(m.face_end()), 1.);
-  const auto low = [&](Index h) {
-    const Index o = m.opposite(h);
-    return o >= 0 && o < h ? o : h;
-  };
-  for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && m.curve(h) >= 0 && s.curves[m.curve(h)].is_frozen())
-      wish[low(h)] = std::numeric_limits<double>::infinity();
-  for(Index f : faces)
-    for(Index h = 4 * f; h < 4 * f + 4; ++h)
-      if(std::isfinite(wish[low(h)])) wish[low(h)] = -1000.;
-  const std::vector<char> split = even_marks(m, wish, 1e-3);
-  return split.empty() ? 0 : Split_templates(s, split)();
-}
-
 // Section 3.3 of the paper, step by step.
 inline void paper_schedule(Adaptation_state& s, std::size_t max_iterations)
 {

@@ -14,21 +14,36 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// The ingredients of the default schedule; the benchmark switches them off one by one, to show what
+// each is worth.
+struct Schedule_ingredients
+{
+  bool coarsening = true;        // before refinement, with relaxed valences
+  bool edge_marking = true;      // else faces too large are cut in four
+  bool progressive_sizes = true; // floors where the mesh is too coarse yet
+  bool size_aware = true;        // smoothing knows the size
+  bool local_operations = true;  // clean-up between levels, annealing and polishing
+  bool annealing = true;
+  bool last_resorts = true; // enforcement of sizes, mending of shapes
+};
+
 // Approaches the sizes from below: halve what is too long, everywhere once, then clean up and
 // smooth against the size reached so far.  No place is ever grossly under-resolved while
 // operations or smoothing work on it.
-inline void refine_progressively(Adaptation_state& s, const Marking_options& marking,
-                                 const Improvement_options& clean, std::size_t max_passes)
+inline void refine_progressively(Adaptation_state& s, const Improvement_options& clean,
+                                 std::size_t max_passes, const Schedule_ingredients& use = {})
 {
   for(std::size_t pass = 0; pass < max_passes; ++pass) {
     {
       Phase_scope phase(s, "refinement");
-      if(refine_once(s, marking) == 0) break;
+      const std::size_t cut =
+          use.edge_marking ? refine_once(s, Marking_options()) : refine_faces(s, faces_to_press(s));
+      if(cut == 0) break;
       ++s.iterations;
-      set_floors(s);
+      if(use.progressive_sizes) set_floors(s);
       smooth(s, 3);
     }
-    clean_up(s, clean, 4, 3);
+    if(use.local_operations) clean_up(s, clean, 1, 3);
   }
   clear_floors(s);
 }
@@ -55,9 +70,10 @@ inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& 
 // twice, so this ends by construction like all else.
 inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance, int rounds)
 {
+  s.stir_all();
   for(int round = 0; round < rounds; ++round) {
     o.tolerance = tolerance * (rounds - round) / rounds;
-    clean_up(s, o, 2, 4);
+    clean_up_stirred(s, o, 2, 4);
   }
 }
 
@@ -71,7 +87,7 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
       s.smoothing.hinge = 2000;
       s.disturb_all();
     }
-    const std::size_t done = clean_up(s, clean, 6, 4);
+    const std::size_t done = clean_up_stirred(s, clean, 6, 4);
     if(done == 0 && round >= 3) break;
   }
   s.smoothing.hinge = hinge;
@@ -94,23 +110,24 @@ inline bool is_adapted(const Adaptation_state& s)
 }
 
 // The default schedule.
-inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations)
+inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
+                                 const Schedule_ingredients& use = {})
 {
   if(is_adapted(s)) return;
   const Improvement_options clean;
+  if(!use.size_aware) s.smoothing.size = 0;
   smooth(s, 2);
-  if(fraction_below(s, 0.7) > 0.01) {
+  if(use.coarsening && fraction_below(s, 0.7) > 0.01) {
     s.progress = 0.05;
     coarsen_relaxed(s, clean, 12);
   }
   s.progress = 0.3;
-  refine_progressively(s, Marking_options(), clean, max_iterations);
+  refine_progressively(s, clean, max_iterations, use);
   s.progress = 0.6;
-  anneal(s, clean, 2.5, 10);
-  polish(s, clean, 6);
+  if(use.local_operations && use.annealing) anneal(s, clean, 2.5, 10);
+  if(use.local_operations) polish(s, clean, 5);
   s.progress = 0.9;
-  enforce_sizes(s, clean, 16);
-  mend_shapes(s, clean, 9);
+  if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
   s.progress = 1;
 }
 

@@ -234,8 +234,16 @@ inline Read_result add_ply_face(const Ply_item& item, std::size_t number_of_poin
   return {};
 }
 
+// A property of the vertices that is wanted beside their coordinates.
+struct Ply_vertex_values
+{
+  std::string name;
+  std::vector<double> values; // one for each vertex
+};
+
 /// Reads the bytes of a PLY file, text or binary of either order.
-inline Read_result read_ply(std::string_view bytes, Polygon_soup& soup)
+inline Read_result read_ply(std::string_view bytes, Polygon_soup& soup,
+                            Ply_vertex_values* wanted = nullptr)
 {
   Ply_header header;
   Read_result result = read_ply_header(bytes, header);
@@ -253,6 +261,10 @@ inline Read_result read_ply(std::string_view bytes, Polygon_soup& soup)
     const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
     if(is_vertex && (x < 0 || y < 0 || z < 0))
       return refuse(Refusal::unreadable_file, "the PLY header gives vertices without x, y and z");
+    const int extra = wanted && is_vertex ? find_number(element, wanted->name) : -1;
+    if(wanted && is_vertex && extra < 0)
+      return refuse(Refusal::unreadable_file,
+                    "the PLY header gives vertices without a property " + wanted->name);
     if(element.properties.empty() && !is_face) continue;
     if(is_face && std::none_of(element.properties.begin(), element.properties.end(),
                                [](const Ply_property& p) { return is_vertex_list(p); }))
@@ -266,6 +278,7 @@ inline Read_result read_ply(std::string_view bytes, Polygon_soup& soup)
                           ", the data end or are no numbers at item " + std::to_string(i),
                       static_cast<long>(i));
       if(is_vertex) soup.points.emplace_back(item.numbers[x], item.numbers[y], item.numbers[z]);
+      if(extra >= 0) wanted->values.push_back(item.numbers[extra]);
       if(is_face) result = add_ply_face(item, number_of_points, soup);
       if(!result.ok()) return result;
     }

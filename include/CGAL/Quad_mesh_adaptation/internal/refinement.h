@@ -7,6 +7,8 @@
 #include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +45,27 @@ inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
   const std::vector<char> split = even_marks(s.mesh, split_wishes(s, o), o.bend, infeasible);
   if(split.empty()) return 0;
   return Split_templates(s, split)();
+}
+
+// 2-refinement of whole faces: all their edges are split, and the transition templates around
+// them follow from the T-join with as few further splits as possible.  Edges of the region are
+// never given up, unless no other solution exists.
+inline std::size_t refine_faces(Adaptation_state& s, const std::vector<Index>& faces)
+{
+  const Quad_complex& m = s.mesh;
+  std::vector<double> wish(4 * std::size_t(m.face_end()), 1.);
+  const auto low = [&](Index h) {
+    const Index o = m.opposite(h);
+    return o >= 0 && o < h ? o : h;
+  };
+  for(Index h = 0; h < 4 * m.face_end(); ++h)
+    if(m.is_face(m.face(h)) && m.curve(h) >= 0 && s.curves[m.curve(h)].is_frozen())
+      wish[low(h)] = std::numeric_limits<double>::infinity();
+  for(Index f : faces)
+    for(Index h = 4 * f; h < 4 * f + 4; ++h)
+      if(std::isfinite(wish[low(h)])) wish[low(h)] = -1000.;
+  const std::vector<char> split = even_marks(m, wish, 1e-3);
+  return split.empty() ? 0 : Split_templates(s, split)();
 }
 
 // Under-resolved places pursue the size they have now: where a node's edges are longer than

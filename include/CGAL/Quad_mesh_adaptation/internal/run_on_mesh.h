@@ -5,10 +5,13 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_RUN_ON_MESH_H
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
 #include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
+#include <CGAL/Quad_mesh_adaptation/internal/expected_count.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
@@ -31,6 +34,17 @@ inline void refuse_too_many(double faces)
   std::ostringstream text;
   text << "the sizes ask for about " << faces << " faces, more than the limit of 1e8";
   throw Refused{ Refusal::invalid_size, text.str(), -1, -1 };
+}
+
+// Tells the caller where the sizes grow faster than quads can follow.
+inline void advise_on_sizes(const Input_mesh& in, const Size_sampler& sizes,
+                            Adaptation_report& report)
+{
+  if(sizes.is_constant()) return;
+  report.size_growth = measure_size_growth(in.points, in.quads,
+                                           [&sizes](const Vec& p) { return sizes.unscaled(p); });
+  const std::string text = advice_on(report.size_growth);
+  if(!text.empty()) report.advice.push_back(text);
 }
 
 template <typename Vertex, typename QuadMesh>
@@ -62,18 +76,49 @@ std::vector<std::size_t> positions_of(const std::vector<Index>& faces_of_state,
   return list;
 }
 
+inline void count_features(const Adaptation_state& s, Adaptation_report& report)
+{
+  report.patches = s.given_patch.size();
+  report.feature_curves = s.curves.size();
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    if(s.mesh.is_vertex(v) && s.mesh.vertex(v).carrier == Carrier::corner) ++report.corners;
+}
+
+// Faces are of the caller's patch that theirs descends from.
+template <typename Export, typename Patch, typename FacePatchMap>
+void put_patches(const Adaptation_state& s, const Export& written,
+                 const std::vector<Patch>& patches, FacePatchMap fpm)
+{
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) put(fpm, written.face_of(f), patches[s.given_patch[s.mesh.patch(f)]]);
+}
+
 // Faces adapted to be no larger than asked have size ratios about 0.955 on average; against sizes
 // larger by this factor they come to lie around one.
 constexpr double nearest_scale = 1.045;
 
+inline double scale_of(Aim aim) { return aim == Aim::nearest ? nearest_scale : 1.; }
+
+template <typename NamedParameters>
+Feature_options decode_features(const NamedParameters& np)
+{
+  Feature_options features;
+  features.feature_angle = parameters::choose_parameter(
+      parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
+  if(!(features.feature_angle > 0))
+    throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
+  return features;
+}
+
 // What every public function does around its algorithm: import and check, build the state, run
-// `algorithm(state)`, measure, and only then write back.  `may_mirror`: the algorithm may run on
-// a part of a symmetric input, which is then mirrored.
+// `algorithm(state)`, measure, and only then write back.  `is_default`: the algorithm is the
+// whole default schedule, whose count can be foretold, and which may run on a part of a symmetric
+// input that is mirrored then.
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
           typename Algorithm>
 Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const SizingField& sizing,
                               QuadMesh& mesh, const NamedParameters& np, bool paper,
-                              const Algorithm& algorithm, bool may_mirror = false)
+                              const Algorithm& algorithm, bool is_default = false)
 {
   using Decoded = Decoded_parameters<QuadMesh, NamedParameters>;
   const Aim aim = decode_aim(np);
@@ -82,33 +127,43 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
   auto vpm = Decoded::vertex_point_map(mesh, np);
   auto ecm = Decoded::edge_map(np);
   auto vcm = Decoded::vertex_map(np);
+  auto fpm = Decoded::patch_map(np);
   Mesh_descriptors<QuadMesh> descriptors;
   try {
     Adaptation_state s;
     s.size = make_sampler<typename Decoded::Point>(sizing);
     if(paper) s.size.sampling = Size_sampling::centre;
-    if(aim == Aim::nearest) s.size.scale_by(nearest_scale);
+    s.size.scale_by(scale_of(aim));
+    Distance_bound bound(s, decode_max_distance(np));
     Input_mesh in;
-    Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm)> import(mesh, vpm, ecm, vcm);
+    Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm)> import(
+        mesh, vpm, ecm, vcm, fpm);
     import(faces, is_region, in, descriptors);
     const std::optional<Triangle_soup> reference = decode_reference(np);
-    Feature_options features;
-    features.feature_angle = parameters::choose_parameter(
-        parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
-    if(!(features.feature_angle > 0))
-      throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
+    const Feature_options features = decode_features(np);
     observe(np, s, clock);
+    Geometry_options geometry = decode_geometry<typename Decoded::Point>(np);
+    geometry.reference = reference ? &*reference : nullptr;
     const auto build = [&](const Input_mesh& input, Adaptation_state& state) {
-      State_builder(input, features, state)(reference ? &*reference : nullptr);
+      State_builder(input, features, state)(geometry);
     };
     build(in, s);
+    count_features(s, report);
+    bound.start();
     report.before = measure_state(s, reference);
     refuse_too_many(report.before.ideal_number_of_faces);
-    const bool mirrored = may_mirror && !reference && decode_symmetry(np) &&
+    advise_on_sizes(in, s.size, report);
+    if(is_default)
+      report.expected_number_of_faces =
+          expected_count(s, report.before.ideal_number_of_faces,
+                         report.size_growth.mean_square_slope, scale_of(aim));
+    const bool mirrored = is_default && decode_symmetry(np) && !bound.is_asked_for() &&
+                          geometry.is_flat_input() &&
                           adapt_mirrored(
                               in, largest_allowed(aim), report.before.ideal_number_of_faces, build,
                               [&](Adaptation_state& part) { algorithm(part, report); }, s);
     if(!mirrored) algorithm(s, report);
+    while(bound.tighten()) algorithm(s, report);
     report.after = measure_state(s, reference);
     s.report_progress(1);
     report.iterations = s.iterations;
@@ -116,9 +171,13 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     s.size.scale_by(1);
     const std::vector<Index> large = faces_too_large(s, largest_allowed(aim));
     judge_sizes(report, paper, aim, large.size());
+    const std::vector<Index> far = bound.faces_too_far();
+    judge_distances(report, bound.allowed(), far.size());
     Mesh_export<QuadMesh, decltype(vpm), decltype(ecm)> write(mesh, vpm, ecm, in, descriptors, s);
     write(); // from here on nothing of the caller's is called any more but his maps
+    put_patches(s, write, import.patches(), fpm);
     report.faces_too_large = positions_of(large, write, mesh);
+    report.faces_too_far = positions_of(far, write, mesh);
   } catch(const Refused& e) {
     report.status = e.reason == Refusal::invalid_size ? Adaptation_status::sizes_refused
                                                       : Adaptation_status::input_refused;
@@ -129,6 +188,10 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
       report.entity = position_of(descriptors.vertices[e.input_vertex], mesh);
       report.message = "vertex " + std::to_string(report.entity) + " " + e.message;
     }
+  } catch(const Bad_projection& e) {
+    report.status = Adaptation_status::input_refused;
+    report.reason = Refusal::invalid_parameter;
+    report.message = describe(e);
   } catch(const Bad_size& e) {
     report.status = Adaptation_status::sizes_refused;
     report.reason = Refusal::invalid_size;

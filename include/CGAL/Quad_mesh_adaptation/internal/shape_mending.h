@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -13,21 +14,32 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-inline std::vector<Index> faces_of_bad_shape(const Adaptation_state& s, double least)
+// Faces below `least`, and those about inner nodes of more than five faces.
+inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
 {
+  const Quad_complex& m = s.mesh;
+  const auto crowded = [&](Index v) {
+    const Vertex_record& r = m.vertex(v);
+    return r.faces > 5 && r.carrier == Carrier::surface && !r.frozen;
+  };
   std::vector<Index> list;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && s.face_quality(s.corners(f), s.reference_normal(f)) < least)
+  for(Index f = 0; f < m.face_end(); ++f) {
+    if(!m.is_face(f)) continue;
+    const Quad q = m.quad(f);
+    if(s.face_quality(s.corners(f), s.reference_normal(f)) < least ||
+       std::any_of(q.begin(), q.end(), crowded))
       list.push_back(f);
+  }
   return list;
 }
+
+constexpr double shape_floor = 0.52; // of the quality of faces
 
 // The faces below the floor get what the energy of the whole mesh did not grant them: about them
 // shape weighs more from round to round, faces may be added, and no operation or move leaves a face
 // above its size that was not.
 inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int max_rounds)
 {
-  constexpr double floor = 0.55;
   Phase_scope phase(s, "clean-up");
   const Smoothing_weights gentle = s.smoothing;
   const Energy_weights energy = s.energy;
@@ -35,26 +47,36 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   mending.keep_within_size = true;
   s.smoothing.keep_within_size = true;
   for(int round = 0; round < max_rounds; ++round) {
-    const std::vector<Index> bad = faces_of_bad_shape(s, floor);
+    const std::vector<Index> bad = faces_to_mend(s, shape_floor);
     if(bad.empty()) break;
     s.check_cancelled();
-    s.energy.shape *= 2;
+    s.energy.shape = (std::min)(2 * s.energy.shape, 16 * energy.shape);
+    s.energy.valence = (std::min)(2 * s.energy.valence, 4 * energy.valence);
     s.smoothing.size *= 0.5;
     s.forget_energies();
-    smooth_near(s, bad);
-    const std::vector<char> near = nodes_around(s, bad, 2);
+    if(round % 4 == 3) split_too_large(s, faces_to_mend(s, 0.5)); // for more freedom
+    smooth_near(s, faces_to_mend(s, shape_floor));
     mending.tolerance = round % 3 == 1 ? 1.5 : 0; // to get past what keeps it bad
-    Local_improvement improvement(s, mending);
-    for(Index v = 0; v < Index(near.size()); ++v)
-      if(near[v]) improvement.activate(v);
-    std::size_t done = 0;
-    for(int pass = 0; pass < 3; ++pass) done += improvement.pass();
-    smooth_near(s, faces_of_bad_shape(s, floor));
+    s.stirred = nodes_around(s, faces_to_mend(s, shape_floor), 2);
+    const std::size_t done = Local_improvement(s, mending).passes(3);
+    smooth_near(s, faces_to_mend(s, shape_floor));
     if(done == 0 && round > 3) break;
   }
   s.smoothing = gentle;
   s.energy = energy;
   s.forget_energies();
+  settle(s, o, 2);
+}
+
+// The last resorts in turn: sizes first, then shapes, again where one has undone the other.
+inline void enforce_sizes_and_shapes(Adaptation_state& s, const Improvement_options& o)
+{
+  enforce_sizes(s, o, 16);
+  for(int turn = 0; turn < 3; ++turn) {
+    mend_shapes(s, o, 12);
+    if(faces_to_press(s).empty()) break;
+    enforce_sizes(s, o, 12);
+  }
 }
 
 } // namespace internal

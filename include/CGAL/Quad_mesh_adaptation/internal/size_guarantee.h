@@ -101,12 +101,8 @@ inline void press_down(Adaptation_state& s, const Improvement_options& o,
   smooth_near(s, large);
   const std::vector<Index> left = faces_to_press(s);
   if(left.empty()) return;
-  Local_improvement improvement(s, o);
-  const std::vector<char> near = nodes_around(s, left, 2);
-  for(Index v = 0; v < Index(near.size()); ++v)
-    if(near[v]) improvement.activate(v);
-  for(int pass = 0; pass < 4; ++pass)
-    if(improvement.pass() == 0) break;
+  s.stirred = nodes_around(s, left, 2);
+  Local_improvement(s, o).passes(4);
   smooth_near(s, faces_to_press(s));
 }
 
@@ -117,17 +113,10 @@ inline void settle(Adaptation_state& s, Improvement_options o, int rounds)
   o.keep_within_size = true;
   s.smoothing.keep_within_size = true;
   s.disturb_all();
+  s.stir_all();
   for(int round = 0; round < rounds; ++round) {
     smooth(s, 4);
-    Local_improvement improvement(s, o);
-    improvement.activate_all();
-    std::size_t done = 0;
-    for(int pass = 0; pass < 3; ++pass) {
-      const std::size_t now = improvement.pass();
-      done += now;
-      if(now == 0) break;
-    }
-    if(done == 0) break;
+    if(Local_improvement(s, o).passes(3) == 0) break;
   }
   smooth(s, 6);
   s.smoothing.keep_within_size = false;
@@ -141,10 +130,8 @@ inline void split_and_clean(Adaptation_state& s, const Improvement_options& o,
   smooth(s, 2);
   Improvement_options careful = o;
   careful.keep_within_size = true;
-  Local_improvement improvement(s, careful);
-  improvement.activate_all();
-  for(int pass = 0; pass < 4; ++pass)
-    if(improvement.pass() == 0) break;
+  s.stir_all();
+  Local_improvement(s, careful).passes(4);
 }
 
 // Until no face is larger than wanted, or `max_rounds`: pressure that grows from round to round,

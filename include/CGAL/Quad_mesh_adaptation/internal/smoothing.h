@@ -56,7 +56,9 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
     h = s.mesh.turn_left(h);
   } while(h >= 0 && h != r.halfedge);
   const double edge = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
-  return distance(r.p, old.p) > s.smoothing.wake * edge;
+  const double way = distance(r.p, old.p);
+  if(way > s.smoothing.stir * edge) s.stir(v);
+  return way > s.smoothing.wake * edge;
 }
 
 // The nodes of all faces about v are worth a visit.

@@ -19,15 +19,16 @@ inline Vertex_record node_between(const Vertex_record& a, const Vertex_record& b
   Vertex_record r;
   r.p = a.p + t * (b.p - a.p);
   r.floor = (1 - t) * a.floor + t * b.floor;
-  r.hint = a.carrier == Carrier::surface ? a.hint : b.hint;
   r.halfedge = 0;
   return r;
 }
 
+// The same inside face f.
 inline Vertex_record inner_node(const Adaptation_state& s, const Vertex_record& a,
-                                const Vertex_record& b, double t)
+                                const Vertex_record& b, double t, Index f)
 {
   Vertex_record r = node_between(a, b, t);
+  r.hint = s.triangle_near(f, r.p);
   s.place(r);
   return r;
 }
@@ -74,6 +75,8 @@ inline Vertex_record edge_middle(const Adaptation_state& s, Index h)
     double sa = 0, sb = 0;
     ends_on_curve(s, h, sa, sb);
     r.param = sa + t * curve.difference(sa, sb);
+  } else {
+    r.hint = s.triangle_near(m.face(h), r.p);
   }
   s.place(r);
   return r;
@@ -139,8 +142,8 @@ private:
   {
     Quad_complex& m = s_.mesh;
     const Index x = m.add_vertex(
-        inner_node(s_, m.vertex(mid_[0]), m.vertex(mid_[2]),
-                   0.5)); // of the joined middles, so that both directions follow the size
+        inner_node(s_, m.vertex(mid_[0]), m.vertex(mid_[2]), 0.5,
+                   face_)); // of the joined middles, so that both directions follow the size
     for(int i = 0; i < 4; ++i) {
       const int p = (i + 3) & 3;
       add({ corner_[i], mid_[i], x, mid_[p] }, { curve_[i], -1, -1, curve_[p] });
@@ -160,7 +163,8 @@ private:
   {
     Quad_complex& m = s_.mesh;
     const int j = (i + 1) & 3, k = (i + 2) & 3, l = (i + 3) & 3;
-    const Index x = m.add_vertex(inner_node(s_, m.vertex(corner_[i]), m.vertex(corner_[k]), 0.45));
+    const Index x =
+        m.add_vertex(inner_node(s_, m.vertex(corner_[i]), m.vertex(corner_[k]), 0.45, face_));
     add({ corner_[i], mid_[i], x, mid_[l] }, { curve_[i], -1, -1, curve_[l] });
     add({ mid_[i], corner_[j], corner_[k], x }, { curve_[i], curve_[j], -1, -1 });
     add({ mid_[l], x, corner_[k], corner_[l] }, { -1, -1, curve_[k], curve_[l] });

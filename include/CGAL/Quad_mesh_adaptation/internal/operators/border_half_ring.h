@@ -84,8 +84,10 @@ inline void describe_border_split(Adaptation_state& s, const Border_pair& b, Cav
   const int n1 = cavity.add_new_node(edge_middle(s, hl)),
             n2 = cavity.add_new_node(edge_middle(s, hr));
   const int w = cavity.add_new_node(edge_middle(s, m.next(hl)));
-  const int c1 = cavity.add_new_node(inner_node(s, m.vertex(b.v), m.vertex(b.p), 0.45));
-  const int c2 = cavity.add_new_node(inner_node(s, m.vertex(b.v), m.vertex(b.q), 0.45));
+  const int c1 =
+      cavity.add_new_node(inner_node(s, m.vertex(b.v), m.vertex(b.p), 0.45, m.face(b.left)));
+  const int c2 =
+      cavity.add_new_node(inner_node(s, m.vertex(b.v), m.vertex(b.q), 0.45, m.face(b.right)));
   const Index lmp = m.curve(m.next(m.next(hl))), lpa = m.curve(m.prev(hl));
   const Index rcq = m.curve(m.next(hr)), rqm = m.curve(m.next(m.next(hr)));
   const Index fl = m.face(hl), fr = m.face(hr);

@@ -50,6 +50,7 @@ inline void describe_face_open(Adaptation_state& s, Index ha, Index hb, Cavity& 
   const bool both = m.vertex(v).carrier == Carrier::surface && !m.vertex(v).frozen && rest > 0;
   const double step = both ? 0.3 : 0.4;
   fresh.p = (1 - step) * fresh.p + (step / double(sector.size())) * ahead;
+  fresh.hint = s.triangle_near(sector[0], fresh.p);
   s.place(fresh);
   if(both) {
     Vertex_record& old = cavity.nodes[lv];

@@ -35,6 +35,7 @@ inline void describe_quad_insertion(Adaptation_state& s, Index f, Cavity& cavity
     r.frozen = false;
     r.ideal_faces = 4;
     r.p = 0.5 * (p[i] + centre);
+    r.hint = s.triangle_near(f, r.p);
     s.place(r);
     inner[i] = cavity.add_new_node(r);
   }

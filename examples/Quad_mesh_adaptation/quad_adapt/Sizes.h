@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUAD_ADAPT_SIZES_H
+#define QUAD_ADAPT_SIZES_H
+
+#include "Options.h"
+#include "Size_expression.h"
+
+#include <CGAL/Quad_mesh_adaptation/Curvature_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/IO/read_nodal_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/Proximity_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/combined_sizing_fields.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace QMA = CGAL::Quad_mesh_adaptation;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Size_function = std::function<double(const Point&)>;
+
+/// Says why on the error stream.
+inline int refuse(const std::string& message, int exit_code = exit_refused)
+{
+  std::cerr << "quad_adapt: " << message << '\n';
+  return exit_code;
+}
+
+/// Of all sizes the smallest counts.
+template <class Sizing>
+void add_size(const Sizing& more, Size_function& size)
+{
+  size = size ? Size_function(QMA::Minimum_sizing_field(size, more)) : Size_function(more);
+}
+
+inline int read_number(const std::string& text, Size_function& size)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if(text.find_first_not_of(" \t") == std::string::npos || *end != 0)
+    return refuse("--size: \"" + text + "\" is not a number");
+  if(!(value > 0) || !std::isfinite(value))
+    return refuse("--size: " + text + " is not a positive finite length");
+  size = [value](const Point&) { return value; };
+  return 0;
+}
+
+/// The sizes that do not depend on the mesh.  0, or the exit code after having said why.
+inline int read_given_sizes(const Options& options, Size_function& size)
+{
+  if(options.size) {
+    const int exit_code = read_number(*options.size, size);
+    if(exit_code != 0) return exit_code;
+  }
+  if(options.size_function) {
+    Size_expression expression;
+    std::string message;
+    if(!expression.parse(*options.size_function, message))
+      return refuse("--size-function: " + message + "; see quad_adapt --help", exit_wrong_usage);
+    size = expression;
+  }
+  if(options.background.empty()) return 0;
+  std::optional<QMA::Nodal_sizing_field> field;
+  const QMA::Read_result result = QMA::read_nodal_sizes(options.background, field);
+  if(!result.ok()) return refuse("--background: " + result.message);
+  add_size(*field, size);
+  return 0;
+}
+
+/// Adds the sizes that follow from the shape of the surface, and brings all within the bounds.
+inline void add_sizes_of_surface(const Options& options, const Mesh& surface, Size_function& size)
+{
+  QMA::Size_range range;
+  if(options.smallest_size) range.smallest = *options.smallest_size;
+  if(options.largest_size) range.largest = *options.largest_size;
+  const auto parameters = QMA::feature_angle(
+      options.feature_angle > 0 ? options.feature_angle : 1e-9); // 0: every edge is a feature
+  if(options.elements_per_circle)
+    add_size(QMA::Curvature_sizing_field::elements_per_circle(surface, *options.elements_per_circle,
+                                                              range, parameters),
+             size);
+  if(options.chord_error)
+    add_size(
+        QMA::Curvature_sizing_field::chord_error(surface, *options.chord_error, range, parameters),
+        size);
+  if(options.elements_across)
+    add_size(QMA::Proximity_sizing_field(surface, *options.elements_across, range), size);
+  if(options.smallest_size || options.largest_size) size = QMA::Clamped_sizing_field(size, range);
+}
+
+/// Bounds the growth of the size over the mesh, and says where that lowers it.
+inline void limit_growth(const Options& options, const Mesh& mesh, Size_function& size)
+{
+  const QMA::Graded_sizing_field graded(mesh, size, *options.gradation);
+  if(!options.is_quiet && graded.lowered_share() > 0)
+    std::cerr << "quad_adapt: note: the size grows by more than " << *options.gradation
+              << " per unit of length, it is lowered on "
+              << std::max(1., std::round(100 * graded.lowered_share())) << " % of the surface\n";
+  if(!options.is_quiet && !graded.is_resolved())
+    std::cerr << "quad_adapt: note: the growth of the size is bounded with "
+              << graded.number_of_samples() << " samples only, up to " << graded.largest_spacing()
+              << " sizes apart\n";
+  size = graded;
+}
+
+#endif // QUAD_ADAPT_SIZES_H

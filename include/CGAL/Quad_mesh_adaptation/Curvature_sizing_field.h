@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_CURVATURE_SIZING_FIELD_H
+#define CGAL_QUAD_MESH_ADAPTATION_CURVATURE_SIZING_FIELD_H
+
+#include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/Size_range.h>
+#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/vertex_curvatures.h>
+#include <CGAL/Quad_mesh_adaptation/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+
+/// \brief A sizing field that follows the curvature of a surface, for a given number of elements in
+/// a full circle or a given chord error.
+///
+/// The curvature is estimated at the vertices of a mesh of the surface, on each side of creases and
+/// borders on its own; the largest counts, and that of creases and borders as curves.  Between the
+/// vertices the sizes are interpolated as by `Nodal_sizing_field`, and like that the field keeps
+/// what it needs.  Sizes may change fast from one vertex to the next: `Graded_sizing_field` is
+/// meant to be put on top.
+///
+/// Estimates are exact on spheres and cylinders up to the difference between an arc and its chord.
+/// A curvature that the mesh does not show is not seen; noise of the vertices counts as curvature.
+///
+/// This header needs Eigen.
+class Curvature_sizing_field
+{
+public:
+  /// `n` edges along a full circle of the larger principal curvature: h = 2 sin(pi / n) / k.
+  ///
+  /// \param mesh a polygon mesh, model of `FaceListGraph` and `HalfedgeListGraph`.
+  /// \param n at least 3.
+  /// \param range the sizes are brought within; by default not above the diagonal of the box
+  ///        around the mesh.
+  /// \param np optional: `vertex_point_map`, `edge_is_constrained_map`, `feature_angle()`.
+  /// \throws std::invalid_argument if `n`, `range` or the feature angle are not valid, a coordinate
+  ///         is not finite, or the mesh has no face with an area.
+  ///
+  /// Linear in the size of the mesh, but for the search tree.
+  template <class PolygonMesh, class NP = parameters::Default_named_parameters>
+  static Curvature_sizing_field elements_per_circle(const PolygonMesh& mesh, double n,
+                                                    const Size_range& range = Size_range(),
+                                                    const NP& np = parameters::default_values())
+  {
+    if(!(n >= 3 && std::isfinite(n)))
+      throw std::invalid_argument("Curvature_sizing_field: fewer than 3 elements in a circle");
+    const double factor = 2 * std::sin(3.14159265358979323846 / n);
+    return Curvature_sizing_field(
+        mesh, [factor](const internal::Vertex_curvature& k) { return factor / k.largest; }, range,
+        np);
+  }
+
+  /// Faces that leave the surface by at most about `error`, in units of the coordinates.
+  ///
+  /// An edge of length h along the larger principal curvature does so by k h^2 / 8, and the centre
+  /// of a face by (k1 + k2) h^2 / 8, in whatever direction its edges run.  So
+  /// h = 2 sqrt(e (2 / k - e)), about sqrt(8 e / k), k being the largest of |k1|, |k2| and
+  /// |k1 + k2|.  Sizes bound the mean edge of a face, and single edges are up to a third longer:
+  /// e is taken as `error` / 1.8, so that the largest errors and not the mean come to `error`.
+  /// No bound: check where it matters.
+  ///
+  /// Parameters and errors as above; `error` is positive.
+  template <class PolygonMesh, class NP = parameters::Default_named_parameters>
+  static Curvature_sizing_field chord_error(const PolygonMesh& mesh, double error,
+                                            const Size_range& range = Size_range(),
+                                            const NP& np = parameters::default_values())
+  {
+    if(!(error > 0 && std::isfinite(error)))
+      throw std::invalid_argument("Curvature_sizing_field: the chord error is not positive");
+    return Curvature_sizing_field(
+        mesh,
+        [error](const internal::Vertex_curvature& k) {
+          const double radius = 1 / k.deviation, e = (std::min)(error / longer_edges, radius);
+          return 2 * std::sqrt(e) * std::sqrt(2 * radius - e);
+        },
+        range, np);
+  }
+
+  /// Target edge length at a point; always positive.
+  template <class Point>
+  double operator()(const Point& p) const
+  {
+    return field_(p);
+  }
+
+private:
+  static constexpr double longer_edges = 1.8;
+
+  template <class PolygonMesh, class SizeOfCurvature, class NP>
+  Curvature_sizing_field(const PolygonMesh& mesh, const SizeOfCurvature& size, Size_range range,
+                         const NP& np)
+      : field_(make(mesh, size, range, np))
+  {
+  }
+
+  template <class PolygonMesh, class SizeOfCurvature, class NP>
+  static Nodal_sizing_field make(const PolygonMesh& mesh, const SizeOfCurvature& size,
+                                 Size_range range, const NP& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using Edge = typename boost::graph_traits<PolygonMesh>::edge_descriptor;
+    range.check();
+    const double angle =
+        choose_parameter(get_parameter(np, feature_angle_tag), default_feature_angle);
+    if(!(angle > 0))
+      throw std::invalid_argument("Curvature_sizing_field: the feature angle is not positive");
+    const internal::Face_arrays arrays =
+        internal::face_arrays(mesh,
+                              choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                               get_const_property_map(vertex_point, mesh)),
+                              choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                               internal::No_constraints<Edge>()),
+                              "Curvature_sizing_field");
+    range.largest = (std::max)((std::min)(range.largest, arrays.diagonal()), range.smallest);
+    const double cos_feature = angle >= 180 ? -2. : std::cos(angle * 3.14159265358979323846 / 180);
+    const std::vector<internal::Vertex_curvature> curvatures =
+        internal::Curvature_estimator(arrays, cos_feature)();
+    auto sizes = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    std::size_t i = 0;
+    for(auto v : vertices(mesh)) {
+      const internal::Vertex_curvature& k = curvatures[i++];
+      put(sizes, v, k.largest > 0 ? range.clamp(size(k)) : range.largest);
+    }
+    return Nodal_sizing_field(mesh, sizes, np);
+  }
+
+  Nodal_sizing_field field_;
+};
+
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_CURVATURE_SIZING_FIELD_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_BOUND_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_BOUND_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_limit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// The largest distance to the reference that the caller allows, as a limit of the sizes of a state;
+// an infinite one does nothing.
+class Distance_bound
+{
+public:
+  static constexpr int most_rounds = 4;
+
+  // From now on the sizes of the state are limited, once start() has been called.
+  Distance_bound(Adaptation_state& s, double allowed) : s_(s), allowed_(allowed)
+  {
+    if(!is_asked_for()) return;
+    const Size_sampling sampling = s.size.sampling;
+    const double scale = s.size.scale();
+    s.size = Size_sampler(
+        [this, given = s.size](const Vec& p) {
+          const double h = given.unscaled(p);
+          return limit_ ? (std::min)(h, (*limit_)(p)) : h;
+        },
+        0);
+    s.size.sampling = sampling;
+    s.size.scale_by(scale);
+  }
+  Distance_bound(const Distance_bound&) = delete; // the sizes refer to it
+  Distance_bound& operator=(const Distance_bound&) = delete;
+
+  double allowed() const { return allowed_; }
+
+  // With nodes, curves and reference surface in place.
+  void start()
+  {
+    if(!is_asked_for()) return;
+    limit_ = std::make_unique<Distance_limit>(s_, allowed_);
+    refresh();
+  }
+
+  // Lowers the sizes where the faces are too far; false: nothing to do, or enough tried.
+  bool tighten()
+  {
+    if(!is_asked_for() || rounds_ == most_rounds) return false;
+    ++rounds_;
+    if(!limit_->tighten(s_, Distance_measure(s_))) return false;
+    refresh();
+    return true;
+  }
+
+  std::vector<Index> faces_too_far() const
+  {
+    std::vector<Index> list;
+    if(!is_asked_for()) return list;
+    const Distance_measure distances(s_);
+    for(Index f = 0; f < s_.mesh.face_end(); ++f)
+      if(s_.mesh.is_face(f) && distances.of(f) > allowed_) list.push_back(f);
+    return list;
+  }
+
+  bool is_asked_for() const { return std::isfinite(allowed_); }
+
+private:
+  // What hangs on the sizes.
+  void refresh()
+  {
+    for(Index v = 0; v < s_.mesh.vertex_end(); ++v)
+      if(s_.mesh.is_vertex(v)) s_.mesh.vertex(v).h = s_.size.at(s_.mesh.point(v));
+    s_.forget_energies();
+    s_.disturb_all();
+  }
+
+  Adaptation_state& s_;
+  double allowed_;
+  std::unique_ptr<Distance_limit> limit_;
+  int rounds_ = 0;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_BOUND_H

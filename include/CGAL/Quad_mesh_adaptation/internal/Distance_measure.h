@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_MEASURE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_MEASURE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// How far the bilinear faces of a state are from its reference surface and curves, and these from
+// the faces, at sample points: nine per face, fifteen per reference triangle where that is curved
+// and seven where it is flat, and along every feature edge all points of the curve's polyline.
+//
+// A distance is the one within the patch.  From the reference it is found by walking over the mesh,
+// and where that gives more than the largest so far, asked from a tree.
+class Distance_measure
+{
+public:
+  explicit Distance_measure(const Adaptation_state& s) : s_(s), of_face(s.mesh.face_end(), 0.)
+  {
+    measure_curves();
+    measure_faces();
+    measure_reference();
+  }
+
+  double to_reference() const { return to_reference_; }
+  double from_reference() const { return from_reference_; }
+  // The larger of both for what was found on face f.
+  double of(Index f) const { return of_face[f]; }
+  // The face that vertex v of the reference is nearest to; -1 on a plane, where none is looked for.
+  Index face_below(Index v) const { return face_below_.empty() ? Index(-1) : face_below_[v]; }
+
+private:
+  static constexpr int curve_samples = 8;
+
+  void note(Index f, double d, double& largest)
+  {
+    of_face[f] = (std::max)(of_face[f], d);
+    largest = (std::max)(largest, d);
+  }
+
+  void measure_faces()
+  {
+    const Quad_complex& m = s_.mesh;
+    if(s_.surface.is_planar()) return;
+    const double at[9][2] = { { .5, .5 }, { .25, .25 }, { .75, .25 }, { .75, .75 }, { .25, .75 },
+                              { .5, 0. }, { 1., .5 },   { .5, 1. },   { 0., .5 } };
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      const Corners p = s_.corners(f);
+      Index hint = s_.triangle_near(f, p[0]);
+      for(int k = 0; k < 9; ++k) {
+        if(k >= 5 && m.curve(4 * f + k - 5) >= 0) continue; // measured as a curve
+        const double u = at[k][0], v = at[k][1];
+        const Vec q = (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * (u * p[2] + (1 - u) * p[3]);
+        note(f, distance(q, s_.surface.project(q, hint)), to_reference_);
+      }
+    }
+  }
+
+  void measure_curves()
+  {
+    const Quad_complex& m = s_.mesh;
+    for(Index h = 0; h < 4 * m.face_end(); ++h) {
+      if(!m.is_face(m.face(h)) || m.curve(h) < 0 || m.opposite(h) > h) continue;
+      const Feature_curve& c = s_.curves[m.curve(h)];
+      const Vec &a = m.point(m.origin(h)), e = m.point(m.target(h)) - a;
+      double su, sv, largest = 0;
+      ends_on_curve(s_, h, su, sv);
+      const double l = c.difference(su, sv);
+      const auto look_at = [&](double offset) {
+        Vec p = c.point(su + offset);
+        if(s_.curve_lift && !c.is_frozen()) p = s_.curve_lift(p);
+        const double t = (std::min)((std::max)((p - a) * e / (e * e), 0.), 1.);
+        largest = (std::max)(largest, distance(p, a + t * e));
+      };
+      for(int k = 1; k < curve_samples; ++k) look_at(l * k / curve_samples);
+      for_each_arc(c, su, l, look_at);
+      note(m.face(h), largest, from_reference_);
+      to_reference_ = (std::max)(to_reference_, largest);
+      if(m.opposite(h) >= 0) note(m.face(m.opposite(h)), largest, from_reference_);
+    }
+  }
+
+  // Calls f(offset from s) for the points of the polyline between s and s + l.
+  template <typename F>
+  static void for_each_arc(const Feature_curve& c, double s, double l, const F& f)
+  {
+    const std::vector<double>& arcs = c.arcs();
+    const double low = c.wrapped(l < 0 ? s + l : s), span = std::abs(l);
+    std::size_t i = std::size_t(std::upper_bound(arcs.begin(), arcs.end(), low) - arcs.begin());
+    for(std::size_t seen = 0; seen < arcs.size(); ++seen, ++i) {
+      if(i == arcs.size()) {
+        if(!c.is_closed()) return;
+        i = 0;
+      }
+      double up = arcs[i] - low;
+      if(up < 0) up += c.length();
+      if(up >= span) return;
+      f(l < 0 ? up + l : up);
+    }
+  }
+
+  void measure_reference()
+  {
+    if(s_.surface.is_planar()) return;
+    collect_mesh();
+    const auto& triangles = s_.surface.triangles();
+    std::vector<Index> foot(s_.surface.points().size(), -1);
+    const int n = s_.surface.has_lift() ? 4 : 2;
+    for(Index t = 0; t < Index(triangles.size()); ++t) {
+      const std::array<Vec, 3> c = s_.surface.triangle(t);
+      Index hint = -1;
+      for(Index v : triangles[t])
+        if(foot[v] >= 0) hint = foot[v];
+      for(int i = 0; i <= n; ++i)
+        for(int j = 0; i + j <= n; ++j) {
+          const int k = n - i - j, corner = i == n ? 0 : j == n ? 1 : k == n ? 2 : -1;
+          if(corner >= 0 && foot[triangles[t][corner]] >= 0) continue;
+          const Vec p = (double(i) / n) * c[0] + (double(j) / n) * c[1] + (double(k) / n) * c[2];
+          measure_back(p, t, hint);
+          if(corner >= 0) foot[triangles[t][corner]] = hint;
+        }
+      measure_back((c[0] + c[1] + c[2]) / 3, t, hint);
+    }
+    face_below_.resize(foot.size(), -1);
+    for(std::size_t v = 0; v < foot.size(); ++v)
+      if(foot[v] >= 0) face_below_[v] = face_of_[foot[v] / 2];
+  }
+
+  void measure_back(Vec p, Index t, Index& hint)
+  {
+    const Vec direction = s_.surface.normal(t);
+    p = s_.surface.lifted(p, t);
+    if(hint < 0) hint = mesh_.find(p, -1, direction);
+    double d = distance(p, mesh_.project(p, hint));
+    if(d > from_reference_ || d > of_face[face_of_[hint / 2]]) {
+      hint = mesh_.find(p, -1, direction);
+      d = (std::min)(d, distance(p, mesh_.project(p, hint)));
+    }
+    note(face_of_[hint / 2], d, from_reference_);
+  }
+
+  void collect_mesh()
+  {
+    const Quad_complex& m = s_.mesh;
+    Triangle_soup soup;
+    for(Index v = 0; v < m.vertex_end(); ++v) soup.points.push_back(m.point(v));
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      append_quad(soup, m.quad(f));
+      face_of_.push_back(f);
+    }
+    mesh_ = Reference_surface(std::move(soup.points), std::move(soup.triangles));
+  }
+
+  const Adaptation_state& s_;
+  std::vector<double> of_face;
+  double to_reference_ = 0, from_reference_ = 0;
+  Reference_surface mesh_;        // the faces, each cut in two
+  std::vector<Index> face_of_;    // of each pair of triangles
+  std::vector<Index> face_below_; // by vertex of the reference
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_MEASURE_H

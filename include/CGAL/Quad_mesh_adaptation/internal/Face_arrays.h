@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// A polygon mesh as arrays.  Half-edges are numbered face by face; half-edge h starts at
+// origin[h], those of face f are first[f] to first[f + 1] - 1.  Vertices and faces are numbered in
+// the order of the mesh.
+struct Face_arrays
+{
+  std::vector<Vec> points;
+  std::vector<Index> first, origin, face, opposite; // opposite is -1 at the border
+  std::vector<char> is_constrained;                 // per half-edge
+
+  Index number_of_faces() const { return Index(first.size()) - 1; }
+  Index number_of_halfedges() const { return Index(origin.size()); }
+  Index next(Index h) const { return h + 1 < first[face[h] + 1] ? h + 1 : first[face[h]]; }
+  Index prev(Index h) const { return h > first[face[h]] ? h - 1 : first[face[h] + 1] - 1; }
+  const Vec& source(Index h) const { return points[origin[h]]; }
+  const Vec& target(Index h) const { return points[origin[next(h)]]; }
+
+  // Half the sum of cross products about the centre: normal times area of a flat face.
+  Vec area_vector(Index f) const
+  {
+    const Vec c = centre(f);
+    Vec sum(0, 0, 0);
+    for(Index h = first[f]; h < first[f + 1]; ++h)
+      sum = sum + 0.5 * cross(source(h) - c, target(h) - c);
+    return sum;
+  }
+  Vec centre(Index f) const
+  {
+    Vec sum(0, 0, 0);
+    for(Index h = first[f]; h < first[f + 1]; ++h) sum = sum + source(h);
+    return sum / double(first[f + 1] - first[f]);
+  }
+  double area() const
+  {
+    double sum = 0;
+    for(Index f = 0; f < number_of_faces(); ++f) sum += norm(area_vector(f));
+    return sum;
+  }
+  // Of the box around all points.
+  double diagonal() const
+  {
+    Vec low = points.at(0), high = low;
+    for(const Vec& p : points) {
+      low = Vec((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z()));
+      high = Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
+                 (std::max)(high.z(), p.z()));
+    }
+    return norm(high - low);
+  }
+};
+
+// Throws std::invalid_argument, in the name of `who`, for a mesh without faces or a coordinate that
+// is not finite.
+template <class PolygonMesh, class VertexPointMap, class EdgeConstrainedMap>
+Face_arrays face_arrays(const PolygonMesh& mesh, const VertexPointMap& point_map,
+                        const EdgeConstrainedMap& constrained, const std::string& who)
+{
+  using Traits = boost::graph_traits<PolygonMesh>;
+  Face_arrays a;
+  auto vertex_number = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  auto halfedge_number = get(CGAL::dynamic_halfedge_property_t<Index>(), mesh);
+  for(typename Traits::vertex_descriptor v : vertices(mesh)) {
+    const auto& p = get(point_map, v);
+    put(vertex_number, v, Index(a.points.size()));
+    a.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    if(!is_finite(a.points.back()))
+      throw std::invalid_argument(who + ": a coordinate is not finite");
+  }
+  for(typename Traits::halfedge_descriptor h : halfedges(mesh)) put(halfedge_number, h, -1);
+  a.first.push_back(0);
+  for(typename Traits::face_descriptor f : faces(mesh)) {
+    for(typename Traits::halfedge_descriptor h : halfedges_around_face(halfedge(f, mesh), mesh)) {
+      put(halfedge_number, h, a.number_of_halfedges());
+      a.origin.push_back(get(vertex_number, source(h, mesh)));
+      a.face.push_back(Index(a.first.size()) - 1);
+      a.is_constrained.push_back(get(constrained, edge(h, mesh)));
+    }
+    a.first.push_back(a.number_of_halfedges());
+  }
+  if(a.number_of_faces() == 0) throw std::invalid_argument(who + ": the mesh has no faces");
+  for(typename Traits::face_descriptor f : faces(mesh))
+    for(typename Traits::halfedge_descriptor h : halfedges_around_face(halfedge(f, mesh), mesh))
+      a.opposite.push_back(get(halfedge_number, opposite(h, mesh)));
+  return a;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The number of faces predicted against the one that comes out.
+
+#include "support/zoo_mesh.h"
+
+#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/expected_number_of_faces.h>
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace QMA = CGAL::Quad_mesh_adaptation;
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Size = std::function<double(const Point&)>;
+
+Mesh mesh_of(const shape_zoo::Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
+
+Mesh read(const std::string& name)
+{
+  Mesh mesh;
+  const auto result =
+      QMA::read_quad_mesh(std::string(QUAD_MESH_DATA_DIR "/meshes/") + name + ".off", mesh);
+  EXPECT_TRUE(result.ok()) << result.message;
+  return mesh;
+}
+
+double mean_edge(const Mesh& mesh) { return zoo_mesh::mean_edge(zoo_mesh::shape_of(mesh)); }
+
+template <class NP = CGAL::parameters::Default_named_parameters>
+void expect_near(const std::string& name, Mesh mesh, const Size& size,
+                 const NP& np = CGAL::parameters::default_values())
+{
+  SCOPED_TRACE(name);
+  const double expected = QMA::expected_number_of_faces(size, mesh, np);
+  const QMA::Adaptation_report report = QMA::adapt_quad_mesh(size, mesh, np);
+  ASSERT_TRUE(report.has_valid_mesh()) << report.message;
+  std::cout << name << ": " << report.before.faces << " faces, expected " << expected << ", got "
+            << report.after.faces << std::endl;
+  EXPECT_NEAR(expected / double(report.after.faces), 1, 0.15);
+  EXPECT_NEAR(report.expected_number_of_faces, expected, 1e-6 * expected);
+}
+
+Size uniform(double h)
+{
+  return [h](const Point&) { return h; };
+}
+
+} // namespace
+
+TEST(Expected_number_of_faces, OfRefinements)
+{
+  const Mesh torus = mesh_of(shape_zoo::torus()), sphere = mesh_of(shape_zoo::sphere()),
+             cube = mesh_of(shape_zoo::cube()), disk = mesh_of(shape_zoo::disk()),
+             icf = read("icf");
+  expect_near("torus, half", torus, uniform(0.5 * mean_edge(torus)));
+  expect_near("sphere, graded", sphere, [](const Point& p) { return 0.06 + 0.1 * (1 + p.z()); });
+  expect_near("cube, a third", cube, uniform(0.33 * mean_edge(cube)));
+  expect_near("disk, graded", disk,
+              [](const Point& p) { return 0.1 + 0.2 * std::hypot(p.x(), p.y()); });
+  expect_near("icf, 0.6", icf, uniform(0.6 * mean_edge(icf)));
+}
+
+TEST(Expected_number_of_faces, OfCoarsenings)
+{
+  const Mesh disk = mesh_of(shape_zoo::disk(12, 9)), torus = mesh_of(shape_zoo::torus()),
+             sphere = mesh_of(shape_zoo::sphere(12)),
+             ellipse = read("rotated_ellipse_with_subregions");
+  expect_near("disk, three times", disk, uniform(3 * mean_edge(disk)));
+  const double edge = mean_edge(torus);
+  expect_near("torus, graded", torus,
+              [edge](const Point& p) { return edge * (1.3 + 0.3 * p.x()); });
+  expect_near("sphere, three times", sphere, uniform(3 * mean_edge(sphere)));
+  expect_near("ellipse, three times", ellipse, uniform(3 * mean_edge(ellipse)));
+}
+
+TEST(Expected_number_of_faces, OfASteepSizeAndOfTheOtherAim)
+{
+  const Mesh plate = mesh_of(shape_zoo::plate(10, 10));
+  expect_near("plate, steep", plate,
+              [](const Point& p) { return 0.15 + std::abs(std::hypot(p.x() - 5, p.y() - 5) - 4); });
+  expect_near(
+      "plate, nearest", plate, [](const Point& p) { return 0.3 + 0.05 * p.x(); },
+      QMA::aim(QMA::Aim::nearest));
+}
+
+TEST(Expected_number_of_faces, AnAdaptedMeshKeepsItsFaces)
+{
+  Mesh mesh = mesh_of(shape_zoo::plate(10, 10));
+  const auto size = [](const Point& p) { return 0.4 + 0.1 * p.x(); };
+  QMA::adapt_quad_mesh(size, mesh);
+  mesh.collect_garbage();
+  EXPECT_EQ(QMA::expected_number_of_faces(size, mesh), double(mesh.number_of_faces()));
+}
+
+TEST(Expected_number_of_faces, ThrowsWhereTheMeshWouldBeRefused)
+{
+  EXPECT_THROW(QMA::expected_number_of_faces(1, Mesh()), std::invalid_argument);
+  Mesh triangle;
+  triangle.add_face(triangle.add_vertex(Point(0, 0, 0)), triangle.add_vertex(Point(1, 0, 0)),
+                    triangle.add_vertex(Point(0, 1, 0)));
+  EXPECT_THROW(QMA::expected_number_of_faces(1, triangle), std::invalid_argument);
+  const Mesh plate = mesh_of(shape_zoo::plate());
+  EXPECT_THROW(QMA::expected_number_of_faces(-1, plate), std::domain_error);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(QMA::expected_number_of_faces(uniform(nan), plate), std::domain_error);
+  struct Mine
+  {
+  };
+  const auto throws = [](const Point&) -> double { throw Mine(); };
+  EXPECT_THROW(QMA::expected_number_of_faces(throws, plate), Mine);
+}
