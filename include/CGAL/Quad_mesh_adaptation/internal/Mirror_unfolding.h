@@ -194,19 +194,14 @@ private:
     }
   }
 
-  // Nodes of former cuts look for their triangle from that of a neighbour.
+  // Nodes of former cuts lie on the surface already; what they miss is their triangle.
   void place_on_surface()
   {
     for(Index v = 0; v < mesh_.vertex_end(); ++v) {
       Vertex_record& r = mesh_.vertex(v);
-      if(!mesh_.is_vertex(v) || touched_[v] == 0 || r.carrier != Carrier::surface) continue;
-      const Quad q = mesh_.quad(mesh_.face(r.halfedge));
-      for(Index u : q)
-        if(r.hint < 0 && mesh_.vertex(u).carrier == Carrier::surface) r.hint = mesh_.vertex(u).hint;
-      const Corners p = { mesh_.point(q[0]), mesh_.point(q[1]), mesh_.point(q[2]),
-                          mesh_.point(q[3]) };
-      if(r.hint < 0) r.hint = whole_.surface.find(r.p, -1, area_vector(p));
-      r.normal = whole_.surface.place(r.p, r.hint).normal;
+      if(!mesh_.is_vertex(v) || r.carrier != Carrier::surface || r.hint >= 0) continue;
+      r.hint = whole_.surface.find(r.p, -1, Vec(0, 0, 0));
+      r.normal = whole_.surface.normal(r.hint);
     }
   }
 
