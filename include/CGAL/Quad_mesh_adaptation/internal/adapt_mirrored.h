@@ -7,7 +7,9 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_unfolding.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mirror_planes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,11 +48,29 @@ inline void set_images(const Mirror_part::Cut& cut, const Input_mesh& in,
   }
 }
 
-// Adapts one part and completes the whole by its images.  Returns the plane to blame where they do
-// not make a valid mesh of the same sizes, and leaves the state alone; -1 after success.
+// An adapted mesh, to be compared with others.
+struct Adapted_mesh
+{
+  Adaptation_state state;
+  std::size_t too_large = 0; // faces, but for those held by edges that must not change
+};
+
+inline Adapted_mesh judged(Adaptation_state&& s, double limit)
+{
+  Adapted_mesh a{ std::move(s), 0 };
+  for(Index f = 0; f < a.state.mesh.face_end(); ++f)
+    if(a.state.mesh.is_face(f) && a.state.size_ratio(f) * a.state.size.scale() > limit &&
+       !is_beyond_help(a.state, f))
+      ++a.too_large;
+  return a;
+}
+
+// Adapts one part and completes the whole by its images.  -1 after success, else the plane to blame
+// if they do not make a valid mesh of the same sizes.
 template <typename Build, typename Algorithm>
 int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, double limit,
-               const Build& build, const Algorithm& algorithm, Adaptation_state& whole)
+               const Build& build, const Algorithm& algorithm, const Adaptation_state& whole,
+               std::vector<Adapted_mesh>& done)
 {
   const int last = int(planes.size()) - 1;
   const std::size_t images = std::size_t(1) << planes.size();
@@ -69,19 +89,38 @@ int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, do
   Mirror_unfolding unfold(in, whole, part, origin, std::move(cut), planes);
   const int blamed = unfold(limit);
   if(blamed >= 0) return blamed;
-  whole.mesh = std::move(unfold.mesh());
-  whole.curves = std::move(unfold.curves());
-  whole.given_patch = std::move(part.given_patch);
-  whole.reference_patch.assign(whole.given_patch.size(), -1);
-  whole.iterations += part.iterations;
-  for(const auto& o : part.operations) whole.count(o.first, images * o.second);
-  whole.forget_faces();
-  whole.disturb_all();
+  Adaptation_state s = whole;
+  s.mesh = std::move(unfold.mesh());
+  s.curves = std::move(unfold.curves());
+  s.given_patch = std::move(part.given_patch);
+  s.reference_patch.assign(s.given_patch.size(), -1);
+  s.iterations += part.iterations;
+  for(const auto& o : part.operations) s.count(o.first, images * o.second);
+  s.forget_faces();
+  s.disturb_all();
+  done.push_back(judged(std::move(s), limit));
   return -1;
 }
 
+// Of several meshes the first that does not need many more faces than the best.
+inline const Adapted_mesh& choose(const std::vector<Adapted_mesh>& done)
+{
+  constexpr double tolerated = 1.1;
+  const auto better = [](const Adapted_mesh& a, const Adapted_mesh& b) {
+    return std::make_pair(a.too_large, a.state.mesh.number_of_faces()) <
+           std::make_pair(b.too_large, b.state.mesh.number_of_faces());
+  };
+  const Adapted_mesh& best = *std::min_element(done.begin(), done.end(), better);
+  return *std::find_if(done.begin(), done.end(), [&](const Adapted_mesh& a) {
+    return a.too_large == best.too_large &&
+           a.state.mesh.number_of_faces() <= tolerated * best.state.mesh.number_of_faces();
+  });
+}
+
 // Runs `algorithm` on a part of a symmetric input only and mirrors what comes out, so that the
-// result is as symmetric as the input.  `whole` is the state of the input, not adapted yet;
+// result is as symmetric as the input.  A part of few faces may have to round up whole rows of
+// them: then fewer planes and none are tried as well, and the symmetry is kept as long as it does
+// not cost too many faces.  `whole` is the state of the input, not adapted yet;
 // `build(part_of_input, state)` builds that of a part; `limit` is the largest size ratio allowed;
 // `ideal_faces` what the sizes ask for.  False, with the state as it was, if there is no plane to
 // mirror in.
@@ -89,17 +128,27 @@ template <typename Build, typename Algorithm>
 bool adapt_mirrored(const Input_mesh& in, double limit, double ideal_faces, const Build& build,
                     const Algorithm& algorithm, Adaptation_state& whole)
 {
-  // each plane costs up to a row of faces along it: no part is to have fewer faces than this
-  constexpr double fewest_faces = 4;
+  constexpr double many_faces = 250;
   std::vector<Mirror_plane> planes = mirror_planes(in, whole);
-  while(!planes.empty() && std::ldexp(fewest_faces, int(planes.size())) > ideal_faces)
-    planes.pop_back();
+  std::vector<Adapted_mesh> done;
   while(!planes.empty()) {
-    const int blamed = adapt_part(in, planes, limit, build, algorithm, whole);
-    if(blamed < 0) return true;
-    planes.erase(planes.begin() + blamed);
+    const int blamed = adapt_part(in, planes, limit, build, algorithm, whole, done);
+    if(blamed >= 0) {
+      planes.erase(planes.begin() + blamed);
+      continue;
+    }
+    const bool few = std::ldexp(many_faces, int(planes.size())) > ideal_faces;
+    if(!few && done.back().too_large == 0) break;
+    planes.pop_back();
   }
-  return false;
+  if(done.empty()) return false;
+  if(planes.empty()) {
+    Adaptation_state s = whole;
+    algorithm(s);
+    done.push_back(judged(std::move(s), limit));
+  }
+  whole = choose(done).state;
+  return true;
 }
 
 } // namespace internal

@@ -36,6 +36,7 @@ public:
   std::vector<Mirror_plane> operator()()
   {
     if(!(reach_ > 0)) return {};
+    normal_ = normal_of_flat();
     for(const Vec& axis : { Vec(1, 0, 0), Vec(0, 1, 0), Vec(0, 0, 1) }) try_plane(axis);
     if(!is_complete()) try_bisectors();
     std::vector<Mirror_plane> planes;
@@ -75,13 +76,32 @@ private:
       if(norm(cross(p.normal, n)) < 1e-6) return;
     if(!test_.is_plausible(n)) return;
     ++tests_;
-    if(std::optional<Mirror_plane> p = test_(n)) found_.push_back(std::move(*p));
+    std::optional<Mirror_plane> p = test_(n);
+    if(!p) return;
+    found_.push_back(std::move(*p));
+    try_right_angles();
+  }
+
+  // Where there are many planes through one line, those at right angles to each other are not
+  // waited for.
+  void try_right_angles()
+  {
+    const Vec n = found_.back().normal;
+    std::vector<Vec> lines = { normal_ };
+    for(const Mirror_plane& q : found_) lines.push_back(cross(n, q.normal));
+    for(const Vec& line : lines) {
+      if(!(norm(line) > 0.01)) continue;
+      const Vec a = normalized(line);
+      if(!is_complete()) try_plane(a);
+      if(!is_complete() && std::abs(a * n) < 0.01) try_plane(normalized(cross(a, n)));
+    }
   }
 
   // More planes at right angles to each other than there are now cannot be hoped for.
-  bool is_complete() const { return best_set().size() == (is_flat() ? 2u : 3u); }
+  bool is_complete() const { return best_set().size() == (norm(normal_) > 0 ? 2u : 3u); }
 
-  bool is_flat() const
+  // Of the plane that holds all vertices; zero if there is none.
+  Vec normal_of_flat() const
   {
     const Vec a = points_[far_from(centre_)] - centre_;
     Vec n(0, 0, 0);
@@ -91,8 +111,8 @@ private:
     }
     n = normalized(n);
     for(const Vec& p : points_)
-      if(std::abs(n * (p - centre_)) > 1e-9 * reach_) return false;
-    return true;
+      if(std::abs(n * (p - centre_)) > 1e-9 * reach_) return Vec(0, 0, 0);
+    return n;
   }
 
   std::size_t far_from(const Vec& c) const
@@ -194,6 +214,7 @@ private:
   Vec centre_;
   double reach_;
   Mirror_test test_;
+  Vec normal_ = Vec(0, 0, 0); // of a flat mesh
   std::size_t tests_ = 0;
   std::vector<Mirror_plane> found_;
 };
