@@ -463,6 +463,33 @@ TEST(Symmetry, Patches)
   EXPECT_EQ(unmatched(mesh, 1), 0u);
 }
 
+// A reference that is the input's own plane, in triangles of its own, does not stand in the way;
+// one with another border does.
+TEST(Symmetry, FlatReference)
+{
+  const Shape shape = centred(shape_zoo::plate(10, 10));
+  const Size size = [](const Point& p) {
+    return 0.7 * (0.1 + std::abs(std::hypot(p.x(), p.y()) - 4.8));
+  };
+  Mesh square;
+  std::vector<Mesh::Vertex_index> c;
+  for(const Point& p : { Point(-5, -5, 0), Point(5, -5, 0), Point(5, 5, 0), Point(-5, 5, 0) })
+    c.push_back(square.add_vertex(p));
+  square.add_face(c[0], c[1], c[2]);
+  square.add_face(c[0], c[2], c[3]);
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
+  ASSERT_TRUE(QMA::adapt_quad_mesh(size, mesh, QMA::reference_surface(square)).has_valid_mesh());
+  EXPECT_EQ(unmatched(mesh, 0), 0u);
+  EXPECT_EQ(unmatched(mesh, 1), 0u);
+
+  square.point(c[2]) = Point(5.1, 5.1, 0);
+  Mesh bent = zoo_mesh::make<Mesh, Point>(shape);
+  ASSERT_TRUE(QMA::adapt_quad_mesh(size, bent, QMA::reference_surface(square)).has_valid_mesh());
+  EXPECT_GT(unmatched(bent, 0), 0u);
+  const Shape out = zoo_mesh::shape_of(bent);
+  EXPECT_EQ(std::count(out.points.begin(), out.points.end(), Vec(5.1, 5.1, 0)), 1);
+}
+
 // Exceptions of the caller leave the mesh as it was.
 TEST(Symmetry, ExceptionsPass)
 {

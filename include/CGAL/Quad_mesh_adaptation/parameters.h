@@ -191,18 +191,22 @@ Named_function_parameters<double, max_distance_t, NP> max_distance(double d, con
   return Named_function_parameters<double, max_distance_t, NP>(d, np);
 }
 
-/// Whether `adapt_quad_mesh()` with the default schedule keeps mirror symmetry; default true.
+/// Whether `adapt_quad_mesh()` with the default schedule keeps mirror symmetry; default `true`.
 ///
-/// Looked for are planes in which vertices (to 1e-9 of the diameter), faces, features, constraints
-/// and sizes (to 1e-9 of the size, at vertices, middles of edges and centres of faces) are mirror
-/// images of themselves, and that cut no face.  Up to three of them, at right angles to each other,
-/// are kept: one part is adapted, the others are its images, which also saves their time.  Where
-/// the input itself is exactly symmetric, each new node is the exact reflection of its partner (in
-/// coordinate planes; in others up to rounding), and nodes on a plane are on it.
+/// Looked for are planes in which vertices (to 1e-9 of the diameter), faces, features, constraints,
+/// patches and sizes (to 1e-9 of the size, at vertices, middles of edges and centres of faces) are
+/// mirror images of themselves, and that cut no face.  Up to three of them, at right angles to each
+/// other, are kept: one part is adapted, the others are its images, which also saves their time.
+/// A new node is then the exact reflection of its partner (up to rounding if the plane is not
+/// perpendicular to an axis), nodes on a plane are on it, and a vertex that did not move keeps its
+/// point, as symmetric as the input had it.
 ///
-/// Not kept: planes that cut faces, rotations, planes of a `reference_surface()`, and symmetry
-/// where sizes ask for so few faces that a row of them along each plane would count, or differ
-/// between the places above.
+/// A plane is given up if the images do not make a valid mesh, or if the sizes differ by more than
+/// 1e-6 on what comes out.  Where a part would have less than some 250 faces, fewer planes and none
+/// are tried as well, and planes are kept only if they cost no more than a tenth of the faces.
+/// Not kept: planes that cut faces, rotations, and anything with `smooth_reference()`,
+/// `projector()`, `curve_projector()`, `max_distance()` or a `reference_surface()`, unless that is
+/// the same flat surface as the input.
 inline Named_function_parameters<bool, symmetry_t> symmetry(bool keep)
 {
   return Named_function_parameters<bool, symmetry_t>(keep);

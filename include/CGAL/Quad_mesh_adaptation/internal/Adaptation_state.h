@@ -221,12 +221,18 @@ struct Adaptation_state
                       following(reference.mean_cosine(normalized(area_vector(p)))));
   }
 
+  // How many images of the faces at a node will meet there.
+  int images_at(const Vertex_record& r) const
+  {
+    return r.carrier == Carrier::curve ? curves[r.curve].images : r.images;
+  }
+
   // Where the mesh ends at a mirror plane, each image pays its share of what is wrong with the
   // whole, and more for a face too many: the whole has as many too many as there are images.
   double valence_energy(int faces, const Vertex_record& r) const
   {
     const double d = faces - r.ideal_faces;
-    const int images = r.carrier == Carrier::curve ? curves[r.curve].images : r.images;
+    const int images = images_at(r);
     return energy.valence * (d > 0 ? images * images : images) * d * d;
   }
 

@@ -61,8 +61,10 @@ public:
     for(const Operation_candidate& c : candidates_.collect(v)) {
       if(c.bound >= best_change) continue;
       candidates_.describe(c, *trial_);
-      double change = try_cavity(*trial_, best_change);
-      if(change >= best_change && change < best_change + options_.halo_below) {
+      const bool wide = candidates_.relieves_crowd(c); // worth a look although it starts badly
+      if(wide) trial_->add_halo();
+      double change = try_cavity(*trial_, best_change, wide ? 50 : 0);
+      if(!wide && change >= best_change && change < best_change + options_.halo_below) {
         trial_->add_halo(); // the nodes around may move, too
         change = try_cavity(*trial_, best_change);
       }
@@ -81,7 +83,7 @@ public:
 
 private:
   // Change of energy, or more than any bound where it is not legal.
-  double try_cavity(Cavity& c, double to_beat)
+  double try_cavity(Cavity& c, double to_beat, double patience = 0)
   {
     constexpr double refused = 1e300;
     if(!c.close()) return refused;
@@ -91,7 +93,8 @@ private:
       const double estimate = c.estimate_after();
       const bool last = sweep + 1 == options_.sweeps;
       const double allowed = last ? options_.halo_below + 0.5 : options_.sweep_below;
-      if(estimate > hopeless + allowed) return refused; // half a unit for the estimate's error
+      if(estimate > hopeless + allowed + patience)
+        return refused; // half a unit for the estimate's error
     }
     const double change = c.energy_after() - c.energy_before();
     if(!(change < to_beat)) return change;

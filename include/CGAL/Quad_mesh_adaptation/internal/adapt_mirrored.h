@@ -105,7 +105,7 @@ int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, do
 // Of several meshes the first that does not need many more faces than the best.
 inline const Adapted_mesh& choose(const std::vector<Adapted_mesh>& done)
 {
-  constexpr double tolerated = 1.1;
+  constexpr double tolerated = 1.04;
   const auto better = [](const Adapted_mesh& a, const Adapted_mesh& b) {
     return std::make_pair(a.too_large, a.state.mesh.number_of_faces()) <
            std::make_pair(b.too_large, b.state.mesh.number_of_faces());
@@ -128,7 +128,7 @@ template <typename Build, typename Algorithm>
 bool adapt_mirrored(const Input_mesh& in, double limit, double ideal_faces, const Build& build,
                     const Algorithm& algorithm, Adaptation_state& whole)
 {
-  constexpr double many_faces = 250;
+  constexpr double many_faces = 500;
   std::vector<Mirror_plane> planes = mirror_planes(in, whole);
   std::vector<Adapted_mesh> done;
   while(!planes.empty()) {

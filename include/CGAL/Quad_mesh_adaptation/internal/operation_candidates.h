@@ -125,14 +125,35 @@ public:
     }
   }
 
+  // Does the operation take a face from a node that has too many, by any standard?
+  bool relieves_crowd(const Operation_candidate& c) const
+  {
+    const auto crowded = [&](Index v) { return is_crowded(v); };
+    if(c.kind == Operation_kind::rotate) // all spokes of the node collected last
+      return std::any_of(out_.begin(), out_.end(),
+                         [&](Index h) { return crowded(s_.mesh.target(h)); });
+    if(c.kind != Operation_kind::swap_left && c.kind != Operation_kind::swap_right) return false;
+    return crowded(s_.mesh.origin(c.h)) || crowded(s_.mesh.target(c.h));
+  }
+
 private:
+  bool is_crowded(Index v) const
+  {
+    const Vertex_record& r = s_.mesh.vertex(v);
+    return s_.images_at(r) * r.faces > options_.max_valence && r.faces > r.ideal_faces;
+  }
+
   // Change of the valence term if v gets d more faces.
   double valence_change(Index v, int d) const
   {
     const Vertex_record& r = s_.mesh.vertex(v);
     if(d == -1 && r.faces == 3 && r.carrier == Carrier::surface) // goes as a doublet
       return -s_.valence_energy(3, r) - s_.energy.face - 2 * s_.energy.valence;
-    if(d > 0 && !s_.mesh.is_border_vertex(v) && r.faces + d > options_.max_valence) return 1e6;
+    const int images = s_.images_at(r);
+    // at a mirror plane six may be a step on the way out of eight
+    const int most = images > 1 && relief_ ? 6 : options_.max_valence;
+    if(d > 0 && (images > 1 || !s_.mesh.is_border_vertex(v)) && images * (r.faces + d) > most)
+      return 1e6;
     return s_.valence_energy(r.faces + d, r) - s_.valence_energy(r.faces, r);
   }
 
@@ -204,6 +225,7 @@ private:
     for(Index h : out_) {
       if(!is_edge_swap_allowed(s_, h) || loses_last(v) || loses_last(m.target(h))) continue;
       const Index o = m.opposite(h), u = m.target(h);
+      relief_ = is_crowded(v) || is_crowded(u);
       const double base =
           valence_change(v, -1) + valence_change(u, -1) -
           (s_.cached_energy(m.face(h)) + s_.cached_energy(m.face(o)) - 2 * s_.energy.face);
@@ -211,6 +233,7 @@ private:
       const Index x2 = m.target(m.next(o)), y2 = m.origin(m.prev(o));
       add(Operation_kind::swap_left, h, -1, base + valence_change(x1, 1) + valence_change(x2, 1));
       add(Operation_kind::swap_right, h, -1, base + valence_change(y1, 1) + valence_change(y2, 1));
+      relief_ = false;
     }
   }
 
@@ -261,6 +284,7 @@ private:
   Adaptation_state& s_;
   const Improvement_options& options_;
   Border_pair pair_;
+  bool relief_ = false; // the candidate in hand takes a face from a crowded node
   std::vector<Operation_candidate> candidates_;
   std::vector<Index> out_;
 };

@@ -13,12 +13,14 @@
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
+#include <CGAL/Quad_mesh_adaptation/internal/same_flat_surface.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <cstddef>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -108,6 +110,21 @@ Feature_options decode_features(const NamedParameters& np)
   return features;
 }
 
+// A separate reference that is the same flat surface as the input is only measured against.
+inline void leave_idle_reference(const Input_mesh& in, const Feature_options& features,
+                                 Geometry_options& geometry, Adaptation_state& s)
+{
+  Geometry_options own = geometry;
+  own.reference = nullptr;
+  if(!own.is_flat_input() || !s.surface.is_planar()) return;
+  Adaptation_state flat;
+  observe_part(s, 1, flat);
+  State_builder(in, features, flat)(own);
+  if(!is_same_flat_surface(s, flat)) return;
+  geometry = own;
+  s = std::move(flat);
+}
+
 // What every public function does around its algorithm: import and check, build the state, run
 // `algorithm(state)`, measure, and only then write back.  `is_default`: the algorithm is the
 // whole default schedule, whose count can be foretold, and which may run on a part of a symmetric
@@ -155,8 +172,9 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
       report.expected_number_of_faces =
           expected_faces(s, report.before.ideal_number_of_faces,
                          report.size_growth.mean_square_slope, scale_of(aim));
-    const bool mirrored = is_default && decode_symmetry(np) && !bound.is_asked_for() &&
-                          geometry.is_flat_input() &&
+    const bool may_mirror = is_default && decode_symmetry(np) && !bound.is_asked_for();
+    if(may_mirror && reference) leave_idle_reference(in, features, geometry, s);
+    const bool mirrored = may_mirror && geometry.is_flat_input() &&
                           adapt_mirrored(
                               in, largest_allowed(aim), report.before.ideal_number_of_faces, build,
                               [&](Adaptation_state& part) { algorithm(part, report); }, s);

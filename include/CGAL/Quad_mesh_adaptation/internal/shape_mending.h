@@ -20,7 +20,8 @@ inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
   const Quad_complex& m = s.mesh;
   const auto crowded = [&](Index v) {
     const Vertex_record& r = m.vertex(v);
-    return r.faces > 5 && r.carrier == Carrier::surface && !r.frozen;
+    const int images = s.images_at(r);
+    return images * r.faces > 5 && (r.carrier == Carrier::surface || images > 1) && !r.frozen;
   };
   std::vector<Index> list;
   for(Index f = 0; f < m.face_end(); ++f) {
