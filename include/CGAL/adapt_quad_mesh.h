@@ -5,9 +5,7 @@
 #define CGAL_ADAPT_QUAD_MESH_H
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
-#include <CGAL/Quad_mesh_adaptation/internal/expected_count.h>
-#include <CGAL/Quad_mesh_adaptation/internal/paper_schedule.h>
-#include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
@@ -42,14 +40,15 @@ Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const Sizi
   const std::size_t iterations =
       choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
   const bool paper = is_paper_schedule(np);
-  return run_on_mesh(faces, is_region, sizing, mesh, np, paper,
-                     [&](Adaptation_state& s, Adaptation_report& report) {
-                       if(paper) return paper_schedule(s, iterations);
-                       report.expected_number_of_faces = expected_count(
-                           s, report.before.ideal_number_of_faces,
-                           report.size_growth.mean_square_slope, scale_of(decode_aim(np)));
-                       progressive_schedule(s, iterations);
-                     });
+  return run_on_mesh(
+      faces, is_region, sizing, mesh, np, paper,
+      [&](Adaptation_state& s, Adaptation_report&) {
+        if(paper)
+          run_paper_schedule(s, iterations);
+        else
+          run_default_schedule(s, iterations);
+      },
+      !paper);
 }
 
 } // namespace internal
@@ -81,8 +80,8 @@ Roundtable, 2009), section 3.3, runs step by step.
   - `number_of_iterations(n)`: the most passes of refinement; default 40;
   - `visitor(v)`, see `Adaptation_visitor`; `callback(f)`: `bool f(double)` is told the progress
     from 0 to 1 and cancels by returning `false`;
-  - `schedule()`, `aim()`, `feature_angle()`, `reference_surface()`, `smooth_reference()`,
-    `projector()`, `curve_projector()`, `max_distance()`: see parameters.h.
+  - `schedule()`, `aim()`, `symmetry()`, `feature_angle()`, `reference_surface()`,
+    `smooth_reference()`, `projector()`, `curve_projector()`, `max_distance()`: see parameters.h.
 
 \returns a report; see `Adaptation_status` for how the call ended.  Faces, edges and vertices that
   did not have to change keep their descriptors; removed ones are marked as such in a

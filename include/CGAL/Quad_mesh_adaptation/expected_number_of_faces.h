@@ -4,7 +4,8 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_EXPECTED_NUMBER_OF_FACES_H
 #define CGAL_QUAD_MESH_ADAPTATION_EXPECTED_NUMBER_OF_FACES_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/expected_count.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
@@ -66,14 +67,14 @@ double expected_number_of_faces(const SizingField& sizing, const QuadMesh& mesh,
     const std::optional<Triangle_soup> reference = decode_reference(np);
     Geometry_options geometry; // lifts to a smooth or true surface hardly change the count
     geometry.reference = reference ? &*reference : nullptr;
-    State_builder(in, decode_features(np), s)(geometry);
+    build_state(in, decode_features(np), geometry, s);
     const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
     const double ideal = ideal_number_of_faces(
         reference ? corner_points(*reference) : triangles_of(in.points, in.quads), size);
     const double slope = s.size.is_constant()
                              ? 0.
                              : measure_size_growth(in.points, in.quads, size).mean_square_slope;
-    return expected_count(s, ideal, slope, scale);
+    return expected_faces(s, ideal, slope, scale);
   } catch(const Refused& e) {
     throw std::invalid_argument("expected_number_of_faces: " + e.message);
   } catch(const Bad_size& e) {

@@ -47,6 +47,10 @@ enum reference_surface_t
 {
   reference_surface_tag
 };
+enum symmetry_t
+{
+  symmetry_tag
+};
 enum smooth_reference_t
 {
   smooth_reference_tag
@@ -185,6 +189,28 @@ template <typename NP>
 Named_function_parameters<double, max_distance_t, NP> max_distance(double d, const NP& np)
 {
   return Named_function_parameters<double, max_distance_t, NP>(d, np);
+}
+
+/// Whether `adapt_quad_mesh()` with the default schedule keeps mirror symmetry; default true.
+///
+/// Looked for are planes in which vertices (to 1e-9 of the diameter), faces, features, constraints
+/// and sizes (to 1e-9 of the size, at vertices, middles of edges and centres of faces) are mirror
+/// images of themselves, and that cut no face.  Up to three of them, at right angles to each other,
+/// are kept: one part is adapted, the others are its images, which also saves their time.  Where
+/// the input itself is exactly symmetric, each new node is the exact reflection of its partner (in
+/// coordinate planes; in others up to rounding), and nodes on a plane are on it.
+///
+/// Not kept: planes that cut faces, rotations, planes of a `reference_surface()`, and symmetry
+/// where sizes ask for so few faces that a row of them along each plane would count, or differ
+/// between the places above.
+inline Named_function_parameters<bool, symmetry_t> symmetry(bool keep)
+{
+  return Named_function_parameters<bool, symmetry_t>(keep);
+}
+template <typename NP>
+Named_function_parameters<bool, symmetry_t, NP> symmetry(bool keep, const NP& np)
+{
+  return Named_function_parameters<bool, symmetry_t, NP>(keep, np);
 }
 
 } // namespace Quad_mesh_adaptation

@@ -221,10 +221,13 @@ struct Adaptation_state
                       following(reference.mean_cosine(normalized(area_vector(p)))));
   }
 
+  // Where the mesh ends at a mirror plane, each image pays its share of what is wrong with the
+  // whole, and more for a face too many: the whole has as many too many as there are images.
   double valence_energy(int faces, const Vertex_record& r) const
   {
     const double d = faces - r.ideal_faces;
-    return energy.valence * d * d;
+    const int images = r.carrier == Carrier::curve ? curves[r.curve].images : r.images;
+    return energy.valence * (d > 0 ? images * images : images) * d * d;
   }
 
   // Puts a node where it belongs on its carrier and refreshes what hangs on its position.

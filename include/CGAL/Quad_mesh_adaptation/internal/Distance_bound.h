@@ -70,9 +70,9 @@ public:
     return list;
   }
 
-private:
   bool is_asked_for() const { return std::isfinite(allowed_); }
 
+private:
   // What hangs on the sizes.
   void refresh()
   {

@@ -36,6 +36,7 @@ struct Vertex_record
   Index hint = -1;              // triangle of the reference surface
   std::int16_t faces = 0;       // number of incident faces
   std::int16_t ideal_faces = 4; // as the angle of the surface around it asks for
+  std::int16_t images = 1;      // of a corner: how many images of its faces will meet in it
   Carrier carrier = Carrier::surface;
   bool frozen = false; // neither moved nor removed
 };

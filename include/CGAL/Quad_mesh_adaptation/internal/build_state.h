@@ -35,6 +35,9 @@ struct Geometry_options
   bool smooth = false;
   User_projector projector;                  // empty: none
   std::function<Vec(const Vec&)> curve_lift; // empty: none
+
+  // Nodes stay on the facets and polylines of the input.
+  bool is_flat_input() const { return !reference && !smooth && !projector && !curve_lift; }
 };
 
 // Finds border, creases, corners and curves of the input and puts every node on its carrier.

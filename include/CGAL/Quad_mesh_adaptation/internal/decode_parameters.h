@@ -14,6 +14,7 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -164,8 +165,10 @@ void observe(const NamedParameters& np, Adaptation_state& s, Phase_clock& clock)
   auto visitor = std::make_shared<decltype(given)>(given);
   const std::function<bool(double)> callback = parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
-  s.report_progress = [visitor, callback](double progress) {
-    if(!unwrap(*visitor).go_further() || (callback && !callback(progress))) throw Cancelled();
+  // what is tried a second time has got further before
+  s.report_progress = [visitor, callback, furthest = std::make_shared<double>(0)](double progress) {
+    *furthest = (std::max)(*furthest, progress);
+    if(!unwrap(*visitor).go_further() || (callback && !callback(*furthest))) throw Cancelled();
   };
   s.start_phase = [visitor, &clock](const char* name, std::size_t iteration) {
     clock.start(name);
@@ -182,6 +185,12 @@ bool is_paper_schedule(const NamedParameters& np)
 {
   return parameters::choose_parameter(parameters::get_parameter(np, schedule_tag),
                                       Schedule::progressive) == Schedule::paper;
+}
+
+template <typename NamedParameters>
+bool decode_symmetry(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, symmetry_tag), true);
 }
 
 template <typename NamedParameters>

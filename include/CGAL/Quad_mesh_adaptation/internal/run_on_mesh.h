@@ -6,11 +6,11 @@
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
-#include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
+#include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
-#include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
@@ -109,12 +109,14 @@ Feature_options decode_features(const NamedParameters& np)
 }
 
 // What every public function does around its algorithm: import and check, build the state, run
-// `algorithm(state)`, measure, and only then write back.
+// `algorithm(state)`, measure, and only then write back.  `is_default`: the algorithm is the
+// whole default schedule, whose count can be foretold, and which may run on a part of a symmetric
+// input that is mirrored then.
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
           typename Algorithm>
 Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const SizingField& sizing,
                               QuadMesh& mesh, const NamedParameters& np, bool paper,
-                              const Algorithm& algorithm)
+                              const Algorithm& algorithm, bool is_default = false)
 {
   using Decoded = Decoded_parameters<QuadMesh, NamedParameters>;
   const Aim aim = decode_aim(np);
@@ -140,15 +142,27 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     observe(np, s, clock);
     Geometry_options geometry = decode_geometry<typename Decoded::Point>(np);
     geometry.reference = reference ? &*reference : nullptr;
-    State_builder(in, features, s)(geometry);
+    const auto build = [&](const Input_mesh& input, Adaptation_state& state) {
+      build_state(input, features, geometry, state);
+    };
+    build(in, s);
     count_features(s, report);
     bound.start();
-    report.before = measure_state(s, reference);
+    report.before = measured_state(s, reference);
     refuse_too_many(report.before.ideal_number_of_faces);
     advise_on_sizes(in, s.size, report);
-    algorithm(s, report);
+    if(is_default)
+      report.expected_number_of_faces =
+          expected_faces(s, report.before.ideal_number_of_faces,
+                         report.size_growth.mean_square_slope, scale_of(aim));
+    const bool mirrored = is_default && decode_symmetry(np) && !bound.is_asked_for() &&
+                          geometry.is_flat_input() &&
+                          adapt_mirrored(
+                              in, largest_allowed(aim), report.before.ideal_number_of_faces, build,
+                              [&](Adaptation_state& part) { algorithm(part, report); }, s);
+    if(!mirrored) algorithm(s, report);
     while(bound.tighten()) algorithm(s, report);
-    report.after = measure_state(s, reference);
+    report.after = measured_state(s, reference);
     s.report_progress(1);
     report.iterations = s.iterations;
     for(const auto& o : s.operation_counts()) report.operations.push_back({ o.first, o.second });

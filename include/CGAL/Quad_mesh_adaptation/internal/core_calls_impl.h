@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CORE_CALLS_IMPL_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CORE_CALLS_IMPL_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
+#include <CGAL/Quad_mesh_adaptation/internal/expected_count.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/paper_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void build_state(const Input_mesh& in,
+                                                     const Feature_options& features,
+                                                     const Geometry_options& geometry,
+                                                     Adaptation_state& s)
+{
+  State_builder(in, features, s)(geometry);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL Mesh_measures
+measured_state(const Adaptation_state& s, const std::optional<Triangle_soup>& reference)
+{
+  return measure_state(s, reference);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double expected_faces(const Adaptation_state& s,
+                                                          double ideal_number_of_faces,
+                                                          double mean_square_slope, double scale)
+{
+  return expected_count(s, ideal_number_of_faces, mean_square_slope, scale);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_default_schedule(Adaptation_state& s,
+                                                              std::size_t max_iterations)
+{
+  progressive_schedule(s, max_iterations);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_paper_schedule(Adaptation_state& s,
+                                                            std::size_t max_iterations)
+{
+  paper_schedule(s, max_iterations);
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CORE_CALLS_IMPL_H
