@@ -7,7 +7,8 @@
 # quality_table.sh --huge        also that of 1e6 faces, which takes long
 # quality_table.sh --only TEXT   only the cases whose name holds TEXT
 # quality_table.sh --ablation    leaves out the ingredients of the default schedule one by one,
-#                                writes doc/Quad_mesh_adaptation/ablation.md
+#                                writes doc/Quad_mesh_adaptation/ablation.md; with --only TEXT
+#                                some cases, into build/ablation.md
 # quality_table.sh --pictures    draws what both schedules make of the paper's cases, and the
 #                                convergence of the finite-element loop, into
 #                                doc/Quad_mesh_adaptation/fig
@@ -32,8 +33,10 @@ scripts/build.sh release "$targets" -DCMAKE_BUILD_TYPE=Release -DQUAD_MESH_ADAPT
 
 case $mode in
 --ablation)
-  "$programs/ablation" "$doc/ablation.md" "${@:2}"
-  echo "The table is $doc/ablation.md"
+  table=$doc/ablation.md
+  [[ $# -eq 1 ]] || table=build/ablation.md # of some cases only: not for the manual
+  "$programs/ablation" "$table" "${@:2}"
+  echo "The table is $table"
   ;;
 --pictures)
   pictures=build/pictures
