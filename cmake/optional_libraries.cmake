@@ -12,9 +12,18 @@ set(library_of_CLI11 CLI11::CLI11)
 set(library_of_json nlohmann_json::nlohmann_json)
 set(library_of_muParser muparser::muparser)
 
+# The core, compiled once for all programs of this project, which saves most of their compile time.
+# The package is header-only all the same: the checks of the headers, the test of the installed
+# package and whoever does not define this macro compile it so.
+add_library(quad_mesh_core STATIC EXCLUDE_FROM_ALL
+  ${PROJECT_SOURCE_DIR}/examples/Quad_mesh_adaptation/support/compiled_core.cpp)
+target_link_libraries(quad_mesh_core PUBLIC CGAL::Quad_mesh_adaptation
+  PRIVATE quad_mesh_build_flags)
+target_compile_definitions(quad_mesh_core PUBLIC QUAD_MESH_ADAPTATION_COMPILED_CORE)
+
 # Links `target` to the libraries that are named (Eigen, CLI11, json, muParser).
 function(quad_mesh_link target)
-  target_link_libraries(${target} PRIVATE CGAL::Quad_mesh_adaptation quad_mesh_build_flags)
+  target_link_libraries(${target} PRIVATE quad_mesh_core quad_mesh_build_flags)
   foreach(name IN LISTS ARGN)
     target_link_libraries(${target} PRIVATE ${library_of_${name}})
   endforeach()

@@ -32,7 +32,8 @@ for argument in "$@"; do
     --cgal6)
       folder=cgal6_tests
       targets="header_checks examples core_tests"
-      options+=(-DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
+      options+=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1
+        -DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
       selection=(-L core)
       ;;
     --long)

@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -153,6 +154,24 @@ TEST(Adapt_quad_mesh, AllTypesAgree)
     for(std::vector<Vec>* list : { &p, &q, &r }) std::sort(list->begin(), list->end(), less);
     EXPECT_EQ(p, q) << shape.name;
     EXPECT_EQ(p, r) << shape.name;
+  }
+}
+
+// As near as possible: about as many faces as the sizes ask for, ratios on both sides of one.
+TEST(Adapt_quad_mesh, AsNearAsPossible)
+{
+  for(const Shape& shape : { shape_zoo::plate(), shape_zoo::torus(), shape_zoo::annulus() }) {
+    SCOPED_TRACE(shape.name);
+    const double h = 0.4 * zoo_mesh::mean_edge(shape);
+    Mesh mesh = zoo_mesh::make<Mesh, Cartesian::Point_3>(shape), strict = mesh;
+    const Adaptation_report near = QMA::adapt_quad_mesh(h, mesh, QMA::aim(QMA::Aim::nearest));
+    const Adaptation_report within = QMA::adapt_quad_mesh(h, strict);
+    EXPECT_EQ(near.status, QMA::Adaptation_status::sizes_met) << near.message;
+    EXPECT_GT(near.after.efficiency, 0.9);
+    EXPECT_LT(near.after.efficiency, 1.1);
+    EXPECT_LT(near.after.faces, within.after.faces);
+    EXPECT_NEAR(near.after.size_ratio.mean, 1, 0.06);
+    EXPECT_LT(near.after.strict_size_ratio.max, std::sqrt(2.));
   }
 }
 

@@ -15,7 +15,7 @@
 // template.  They are inline, and the package header-only, unless
 // QUAD_MESH_ADAPTATION_COMPILED_CORE is defined: then one source file, that includes
 // core_calls_impl.h, compiles the core for all others, which takes most of their compile time away.
-// The tests are built so.
+// The programs of this project are built so.
 #ifdef QUAD_MESH_ADAPTATION_COMPILED_CORE
 #define CGAL_QUAD_MESH_ADAPTATION_CORE_CALL
 #else
