@@ -155,6 +155,11 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   }
   s.progress = 0.3;
   refine_progressively(s, clean, max_iterations, use);
+  // where halving has gone too far by the same everywhere, single rows can go again
+  if(use.coarsening && is_too_fine(s)) {
+    Phase_scope phase(s, "coarsening");
+    coarsen_by_chords(s, 0.5);
+  }
   s.progress = 0.6;
   if(use.local_operations && use.annealing) anneal(s, clean, 2.5, 10);
   if(use.local_operations) polish(s, clean, 5);
