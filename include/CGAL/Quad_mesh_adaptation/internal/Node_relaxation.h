@@ -154,7 +154,8 @@ private:
     Face_terms t;
     for(const Star_face& f : star_) {
       measure_face(f, r.p, r.normal, t);
-      e.worst = (std::min)(e.worst, t.folded ? -1. : t.following);
+      const bool turned = t.n * r.normal < 0; // as a node gone round a thin rim would see it
+      e.worst = (std::min)(e.worst, t.folded || turned ? -1. : t.following);
       for(int i = 0; i < 4; ++i) {
         e.value += 0.25 * Corner_cost::value(t.N[i], t.D[i]);
         e.worst = (std::min)(e.worst, t.N[i] > 0 ? 2 * t.D[i] / t.N[i] : -1.);

@@ -74,7 +74,8 @@ inline double expected_count(const Adaptation_state& s, double ideal_number_of_f
                    per_slope = 0.41;
   if(is_adapted(s)) return double(s.mesh.number_of_faces());
   const double even = count_of_even_halvings(s);
-  if(even > 0) return even;
+  // the schedule takes rows out again where halving leaves far too many
+  if(even > 0 && ideal_number_of_faces / (scale * scale) > 0.75 * even) return even;
   const Curve_edges edges = curve_edges(s);
   const double faces =
       (per_face + per_slope * mean_square_slope) * ideal_number_of_faces / (scale * scale);
