@@ -7,7 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_unfolding.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mirror_planes.h>
-#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+#include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,8 @@ inline void set_images(const Mirror_part::Cut& cut, const Input_mesh& in,
 struct Adapted_mesh
 {
   Adaptation_state state;
-  std::size_t too_large = 0; // faces, but for those held by edges that must not change
+  std::size_t faults = 0; // faces too large, but for those held by edges that must not change, and
+                          // crowded nodes
 };
 
 inline Adapted_mesh judged(Adaptation_state&& s, double limit)
@@ -61,7 +62,9 @@ inline Adapted_mesh judged(Adaptation_state&& s, double limit)
   for(Index f = 0; f < a.state.mesh.face_end(); ++f)
     if(a.state.mesh.is_face(f) && a.state.size_ratio(f) * a.state.size.scale() > limit &&
        !is_beyond_help(a.state, f))
-      ++a.too_large;
+      ++a.faults;
+  for(Index v = 0; v < a.state.mesh.vertex_end(); ++v)
+    if(a.state.mesh.is_vertex(v) && is_crowded(a.state, v)) ++a.faults;
   return a;
 }
 
@@ -102,8 +105,8 @@ int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, do
   return -1;
 }
 
-// Of several meshes the first that does not need many more faces than the best.  Beside edges that
-// must not change a few faces stay too large, more or fewer by chance.
+// Of several meshes the first without more faults than the best and without many more faces. Beside
+// edges that must not change a few faces stay too large, more or fewer by chance.
 inline const Adapted_mesh& choose(const std::vector<Adapted_mesh>& done)
 {
   const std::vector<Feature_curve>& curves = done.front().state.curves;
@@ -111,13 +114,13 @@ inline const Adapted_mesh& choose(const std::vector<Adapted_mesh>& done)
                                 [](const Feature_curve& c) { return c.is_frozen(); });
   constexpr double tolerated = 1.06;
   const auto better = [](const Adapted_mesh& a, const Adapted_mesh& b) {
-    return std::make_pair(a.too_large, a.state.mesh.number_of_faces()) <
-           std::make_pair(b.too_large, b.state.mesh.number_of_faces());
+    return std::make_pair(a.faults, a.state.mesh.number_of_faces()) <
+           std::make_pair(b.faults, b.state.mesh.number_of_faces());
   };
   const Adapted_mesh& best = *std::min_element(done.begin(), done.end(), better);
   return *std::find_if(done.begin(), done.end(), [&](const Adapted_mesh& a) {
     const std::size_t spare = held ? std::size_t(a.state.mesh.number_of_faces()) / 300 : 0;
-    return a.too_large <= best.too_large + spare &&
+    return a.faults <= best.faults + spare &&
            a.state.mesh.number_of_faces() <= tolerated * best.state.mesh.number_of_faces();
   });
 }
@@ -143,7 +146,7 @@ bool adapt_mirrored(const Input_mesh& in, double limit, double ideal_faces, cons
       continue;
     }
     const bool few = std::ldexp(many_faces, int(planes.size())) > ideal_faces;
-    if(!few && done.back().too_large == 0) break;
+    if(!few && done.back().faults == 0) break;
     planes.pop_back();
   }
   if(done.empty()) return false;

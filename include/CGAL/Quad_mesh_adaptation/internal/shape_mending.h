@@ -8,21 +8,27 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Faces below `least`, and those about inner nodes of more than five faces.
+// Has v more faces than a smooth place should have, all images of a mirror plane counted?
+inline bool is_crowded(const Adaptation_state& s, Index v)
+{
+  const Vertex_record& r = s.mesh.vertex(v);
+  const int images = s.images_at(r);
+  return images * r.faces > 5 && (r.carrier == Carrier::surface || images > 1) && !r.frozen;
+}
+
+// Faces below `least`, and those about crowded nodes.
 inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
 {
   const Quad_complex& m = s.mesh;
-  const auto crowded = [&](Index v) {
-    const Vertex_record& r = m.vertex(v);
-    const int images = s.images_at(r);
-    return images * r.faces > 5 && (r.carrier == Carrier::surface || images > 1) && !r.frozen;
-  };
+  const auto crowded = [&](Index v) { return is_crowded(s, v); };
   std::vector<Index> list;
   for(Index f = 0; f < m.face_end(); ++f) {
     if(!m.is_face(f)) continue;
@@ -36,6 +42,48 @@ inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
 
 constexpr double shape_floor = 0.52; // of the quality of faces
 
+// How much is wrong: what faces lack of the floor, and faces too many at nodes.
+inline double shape_faults(const Adaptation_state& s)
+{
+  const Quad_complex& m = s.mesh;
+  double faults = 0;
+  for(Index f = 0; f < m.face_end(); ++f)
+    if(m.is_face(f))
+      faults += (std::max)(shape_floor - s.face_quality(s.corners(f), s.reference_normal(f)), 0.);
+  for(Index v = 0; v < m.vertex_end(); ++v)
+    if(m.is_vertex(v) && is_crowded(s, v))
+      faults += s.images_at(m.vertex(v)) * m.vertex(v).faces - 5;
+  return faults;
+}
+
+// Splits for more freedom may leave more wrong than there was; then they are taken back.
+class Split_keeper
+{
+public:
+  explicit Split_keeper(Adaptation_state& s) : s_(s) {}
+
+  void remember()
+  {
+    if(mesh_) return;
+    mesh_ = s_.mesh;
+    faults_ = shape_faults(s_);
+  }
+
+  void restore_unless_better()
+  {
+    if(!mesh_ || shape_faults(s_) < faults_) return;
+    s_.mesh = std::move(*mesh_);
+    s_.forget_faces();
+    s_.disturb_all();
+    s_.stir_all();
+  }
+
+private:
+  Adaptation_state& s_;
+  std::optional<Quad_complex> mesh_; // before the first split
+  double faults_ = 0;
+};
+
 // The faces below the floor get what the energy of the whole mesh did not grant them: about them
 // shape weighs more from round to round, faces may be added, and no operation or move leaves a face
 // above its size that was not.
@@ -47,6 +95,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   Improvement_options mending = o;
   mending.keep_within_size = true;
   s.smoothing.keep_within_size = true;
+  Split_keeper keeper(s);
   for(int round = 0; round < max_rounds; ++round) {
     const std::vector<Index> bad = faces_to_mend(s, shape_floor);
     if(bad.empty()) break;
@@ -55,7 +104,10 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
     s.energy.valence = (std::min)(2 * s.energy.valence, 4 * energy.valence);
     s.smoothing.size *= 0.5;
     s.forget_energies();
-    if(round % 4 == 3) split_too_large(s, faces_to_mend(s, 0.5)); // for more freedom
+    if(round % 4 == 3) {
+      keeper.remember();
+      split_too_large(s, faces_to_mend(s, 0.5)); // for more freedom
+    }
     smooth_near(s, faces_to_mend(s, shape_floor));
     mending.tolerance = round % 3 == 1 ? 1.5 : 0; // to get past what keeps it bad
     s.stirred = nodes_around(s, faces_to_mend(s, shape_floor), 2);
@@ -67,6 +119,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   s.energy = energy;
   s.forget_energies();
   settle(s, o, 2);
+  keeper.restore_unless_better();
 }
 
 // The last resorts in turn: sizes first, then shapes, again where one has undone the other.
