@@ -72,11 +72,15 @@ inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& 
 // twice, so this ends by construction like all else.
 inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance, int rounds)
 {
+  const double fine = s.smoothing.wake;
+  s.smoothing.wake = 0.01; // all this will move again
   s.stir_all();
   for(int round = 0; round < rounds; ++round) {
     o.tolerance = tolerance * (rounds - round) / rounds;
-    clean_up_stirred(s, o, 2, 4);
+    clean_up_stirred(s, o, 2, 2);
   }
+  s.smoothing.wake = fine;
+  s.disturb_all();
 }
 
 // Rounds of clean-up against the final sizes, with smoothing that presses the last faces below
