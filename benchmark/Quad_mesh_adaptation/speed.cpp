@@ -42,6 +42,8 @@ std::vector<Task> all_tasks(const std::vector<Shape>& shapes, int highest,
     for(const Shape& s : shapes) {
       const double faces = std::pow(10., level);
       tasks.push_back(adapt_task(s, level));
+      if(s.name == "plate")
+        tasks.push_back(adapt_whole_task(s, level)); // the others have no planes
       if(faces > 2 * s.coarse_faces) {
         tasks.push_back(refine_task(s, level));
         tasks.push_back(isotropic_task(s, level));
@@ -152,8 +154,8 @@ int main(int argc, char** argv)
   app.add_option("--memory", memory_task, "Print the peak of memory of this task, nothing else");
   CLI11_PARSE(app, count, arguments.data());
   try {
-    const std::string scratch =
-        std::filesystem::temp_directory_path().string() + "/quad_mesh_speed";
+    const std::string scratch = std::filesystem::temp_directory_path().string() +
+                                "/quad_mesh_speed_" + std::to_string(getpid());
     std::filesystem::create_directories(scratch);
     const std::vector<Shape> shapes = all_shapes();
     const bool is_child = !memory_task.empty();
@@ -172,6 +174,7 @@ int main(int argc, char** argv)
       throw std::runtime_error("no folder for the report is given");
     else
       measure(shapes, tasks, folder, scratch);
+    std::filesystem::remove_all(scratch);
   } catch(const std::exception& error) {
     std::cerr << "speed: " << error.what() << '\n';
     return EXIT_FAILURE;

@@ -71,6 +71,21 @@ inline Task adapt_task(const Shape& shape, int level)
            [=] { return on_mesh(shape.to_adapt(faces), shape.graded(faces), adapt); }, true };
 }
 
+/// The same without use of symmetry.
+inline Task adapt_whole_task(const Shape& shape, int level)
+{
+  Task task = adapt_task(shape, level);
+  const double faces = std::pow(10., level);
+  task.what = "adapt whole";
+  task.prepare = [=] {
+    return on_mesh(shape.to_adapt(faces), shape.graded(faces), [](const Sizing& size, Mesh& mesh) {
+      return CGAL::Quad_mesh_adaptation::adapt_quad_mesh(
+          size, mesh, CGAL::Quad_mesh_adaptation::symmetry(false));
+    });
+  };
+  return task;
+}
+
 /// To edges `factor` times longer.
 inline Task coarsen_task(const std::string& what, const Shape& shape, int level, double factor)
 {

@@ -82,6 +82,7 @@ inline Child_result run_child(const std::vector<std::string>& command, const std
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 1, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, 1, 2);
   Child_result result;
   const Stopwatch watch;
   pid_t child = 0;
