@@ -134,6 +134,17 @@ TEST(Growth, Size_that_jumps_by_a_thousand)
   expect_linear(run(0.2), run(0.2 / std::sqrt(8.)));
 }
 
+// Every face is a patch of its own, all edges are curves and all vertices corners.
+TEST(Growth, As_many_patches_as_faces)
+{
+  const auto adapt = [](const auto& size, Mesh& mesh, Work&) {
+    auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
+    for(auto f : mesh.faces()) patch[f] = int(f);
+    return QMA::refine(size, mesh, CGAL::parameters::face_patch_map(patch));
+  };
+  expect_linear(growth_shapes::plate(30, 30), growth_shapes::plate(85, 85), Uniform{ 0.5 }, adapt);
+}
+
 TEST(Growth, Huge_valence_refined)
 {
   expect_linear(growth_shapes::fan(1000), growth_shapes::fan(8000), Uniform{ 0.3 }, Refine());
