@@ -6,7 +6,8 @@
 #                               its plots; Gmsh takes part where it is on the PATH
 # speed_report.sh --large       up to 1e7 faces, which takes hours and 16 GB
 # speed_report.sh --only TEXT   only the tasks whose name holds TEXT ("adapt/plate", "/1e4"), into
-#                               build/speed; also behind --large
+#                               build/speed; may be given several times, also behind --large
+# speed_report.sh --runs N      at most N runs of each task, instead of 5 (1 to 3 of long ones)
 
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// speed OUTPUT_FOLDER [--large] [--only TEXT] [options of Google Benchmark]
+// speed OUTPUT_FOLDER [--large] [--only TEXT ...] [--runs N] [options of Google Benchmark]
 // Times the public calls and their peers at 1e3 to 1e5 faces (--large: to 1e7), and writes speed.md
 // and its plots.  Peaks of memory are those of further processes, which run
 //   speed --memory TASK
@@ -111,7 +111,7 @@ void write(const std::string& file, const std::string& text)
   if(!(out << text << std::flush)) throw std::runtime_error(file + " cannot be written");
 }
 
-void measure(const std::vector<Shape>& shapes, const std::vector<Task>& tasks,
+void measure(const std::vector<Shape>& shapes, const std::vector<Task>& tasks, int most_runs,
              const std::string& folder, const std::string& scratch)
 {
   Results results(tasks);
@@ -119,7 +119,7 @@ void measure(const std::vector<Shape>& shapes, const std::vector<Task>& tasks,
     benchmark::RegisterBenchmark(task.name().c_str(),
                                  [&](benchmark::State& state) { run(state, task, results); })
         ->Iterations(1)
-        ->Repetitions(task.repetitions())
+        ->Repetitions((std::min)(task.repetitions(), most_runs))
         ->ReportAggregatesOnly(true)
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);
@@ -146,11 +146,16 @@ int main(int argc, char** argv)
   benchmark::Initialize(&count, arguments.data());
 
   CLI::App app("Times adaptation, refinement, coarsening and their peers, and writes a report.");
-  std::string folder, only, memory_task;
+  std::string folder, memory_task;
+  std::vector<std::string> only;
+  int most_runs = 5;
   bool is_large = false;
   app.add_option("FOLDER", folder, "Where speed.md and fig/speed_*.svg go");
   app.add_flag("--large", is_large, "Up to 1e7 faces instead of 1e5");
-  app.add_option("--only", only, "Only the tasks whose name holds this");
+  app.add_option("--only", only, "Only tasks whose name holds this, or one of these")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--runs", most_runs, "At most so many runs of a task")->check(CLI::Range(1, 100));
   app.add_option("--memory", memory_task, "Print the peak of memory of this task, nothing else");
   CLI11_PARSE(app, count, arguments.data());
   try {
@@ -160,20 +165,22 @@ int main(int argc, char** argv)
     const std::vector<Shape> shapes = all_shapes();
     const bool is_child = !memory_task.empty();
     std::vector<Task> tasks = all_tasks(shapes, is_large || is_child ? 7 : 5, scratch);
-    const std::string& wanted = is_child ? memory_task : only;
-    tasks.erase(std::remove_if(tasks.begin(), tasks.end(),
-                               [&](const Task& t) {
-                                 return is_child ? t.name() != wanted
-                                                 : t.name().find(wanted) == std::string::npos;
-                               }),
-                tasks.end());
-    if(tasks.empty()) throw std::runtime_error("there is no task " + wanted);
+    const auto is_wanted = [&](const Task& t) {
+      if(is_child) return t.name() == memory_task;
+      return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& text) {
+               return t.name().find(text) != std::string::npos;
+             });
+    };
+    tasks.erase(
+        std::remove_if(tasks.begin(), tasks.end(), [&](const Task& t) { return !is_wanted(t); }),
+        tasks.end());
+    if(tasks.empty()) throw std::runtime_error("there is no such task");
     if(is_child)
       print_memory(tasks.front());
     else if(folder.empty())
       throw std::runtime_error("no folder for the report is given");
     else
-      measure(shapes, tasks, folder, scratch);
+      measure(shapes, tasks, most_runs, folder, scratch);
     std::filesystem::remove_all(scratch);
   } catch(const std::exception& error) {
     std::cerr << "speed: " << error.what() << '\n';

@@ -110,6 +110,15 @@ public:
     return list;
   }
 
+  /// The most runs of a task at a level.
+  std::size_t runs_at(int level) const
+  {
+    std::size_t most = 0;
+    for(const auto& r : results_)
+      if(r.second.task->level == level) most = (std::max)(most, r.second.runs.size());
+    return most;
+  }
+
   double largest_spread() const
   {
     double most = 0;

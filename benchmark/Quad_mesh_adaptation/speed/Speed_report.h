@@ -59,9 +59,9 @@ private:
            ", Release). Times are of the processor, for a whole call:\n"
            "copying in, preparing the reference surface, measuring and writing back included.\n"
            "Runs of all tasks are interleaved at random, figures are medians" +
-           formatted(" (of 5 runs up to 1e4 faces,\n3 at 1e5, 1 above). The runs of a task lie "
-                     "%.0f %% apart in the middle, %.0f %% at most.\n\n",
-                     100 * results_.median_spread(), 100 * results_.largest_spread()) +
+           formatted(
+               " (%s). The runs of a task\nlie %.0f %% apart in the middle, %.0f %% at most.\n\n",
+               runs().c_str(), 100 * results_.median_spread(), 100 * results_.largest_spread()) +
            "*refine* is `refine()` from a coarse mesh, with smoothing; *adapt* is the default\n"
            "`adapt_quad_mesh()` on a mesh of about as many faces as the result has; *coarsen* is\n"
            "`coarsen()` to edges four times as long. Sizes are graded: those of the paper for "
@@ -71,6 +71,16 @@ private:
            "mirrored,\n"
            "and *adapt whole* is without that.\n\n"
            "![Time](fig/speed_time.svg)\n![Memory](fig/speed_memory.svg)\n\n";
+  }
+
+  // Of how many runs, by level.
+  std::string runs() const
+  {
+    std::string list;
+    for(int level : results_.levels())
+      list += (list.empty() ? "of " : ", ") + std::to_string(results_.runs_at(level)) +
+              (list.empty() ? " runs at 1e" : " at 1e") + std::to_string(level);
+    return list;
   }
 
   // A goal with what was measured; empty when it was not measured.
