@@ -21,12 +21,8 @@ for argument in "$@"; do
   [[ $argument != --only ]] || folder=build/speed # of some tasks only: not for the manual
 done
 
-scripts/install_dependencies.sh
+scripts/install_dependencies.sh libbenchmark-dev
 scripts/build.sh release speed -DCMAKE_BUILD_TYPE=Release -DQUAD_MESH_ADAPTATION_BENCHMARKS=ON
 program=build/release/benchmark/Quad_mesh_adaptation/speed
-if [[ ! -x $program ]]; then
-  echo "Install libbenchmark-dev (Google Benchmark) and try again" >&2
-  exit 1
-fi
 "$program" "$folder" "$@"
 echo "The report is $folder/speed.md, its plots are $folder/fig/speed_*.svg"
