@@ -9,6 +9,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_matcher.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Smooth_surface.h>
+#include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 #include <CGAL/Quad_mesh_adaptation/internal/User_projector.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
@@ -112,12 +113,24 @@ private:
       const Index o = m.opposite(h);
       bool feature = o < 0 || in_.has_constrained(h);
       if(!feature && !in_.patch.empty()) feature = in_.patch[m.face(h)] != in_.patch[m.face(o)];
-      if(!feature && o > h && !off_) {
-        const Vec a = area_vector(s_.corners(m.face(h))), b = area_vector(s_.corners(m.face(o)));
-        feature = a * b < cos_ * norm(a) * norm(b);
-      }
       if(feature) m.set_curve(h, 0);
     }
+    if(off_) return;
+    std::vector<char> detected(4 * std::size_t(m.face_end()), 0);
+    for(Index h = 0; h < 4 * m.face_end(); ++h) {
+      if(m.curve(h) >= 0 || !turns_across(h)) continue;
+      m.set_curve(h, 0);
+      detected[h] = detected[m.opposite(h)] = 1;
+    }
+    Stray_creases(s_, detected)();
+  }
+
+  bool turns_across(Index h) const
+  {
+    const Quad_complex& m = s_.mesh;
+    const Vec a = area_vector(s_.corners(m.face(h)));
+    const Vec b = area_vector(s_.corners(m.face(m.opposite(h))));
+    return a * b < cos_ * norm(a) * norm(b);
   }
 
   void mark_corners()

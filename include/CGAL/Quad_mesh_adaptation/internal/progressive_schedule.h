@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
@@ -36,6 +37,10 @@ inline void refine_progressively(Adaptation_state& s, const Improvement_options&
                                  std::size_t max_passes, const Schedule_ingredients& use = {})
 {
   for(std::size_t pass = 0; pass < max_passes; ++pass) {
+    if(use.edge_marking) {
+      clear_floors(s);
+      insert_rows(s);
+    }
     {
       Phase_scope phase(s, "refinement");
       const std::size_t cut =

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "support/state_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace {
+
+using namespace state_fixture;
+
+constexpr Index n = 12;
+
+// A roof over a rectangle, whose middle row of edges runs along x = 6, and which fades out between
+// y = 16 and y = 32: height(steps from the ridge) up to there, flat beyond.
+template <typename Height>
+Shape roof(const Height& height)
+{
+  return shape_zoo::grid("roof", n, n, [&](Index i, Index j) {
+    const double fade = std::clamp((8. - j) / 4, 0., 1.);
+    return Vec(i, 4 * j, fade * height(std::abs(i - 6)));
+  });
+}
+
+// Two planes that meet: a crease that ends on the surface.
+Shape sharp_roof()
+{
+  return roof([](Index d) { return -0.45 * d; });
+}
+
+// Round, in few faces: the rows of edges turn by 45, 35, 22, 25 and 10 degrees.
+Shape round_roof()
+{
+  const double heights[] = { 0, -0.41, -1.98, -2.68, -2.86, -2.86, -2.86 };
+  return roof([&](Index d) { return heights[d]; });
+}
+
+Options at(double degrees)
+{
+  Options o;
+  o.feature_angle = degrees;
+  return o;
+}
+
+std::size_t inner_feature_edges(const Adaptation_state& s)
+{
+  std::size_t count = 0;
+  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h)
+    if(s.mesh.curve(h) >= 0 && s.mesh.opposite(h) > h) ++count;
+  return count;
+}
+
+std::size_t edges_turning(const Adaptation_state& s, double degrees)
+{
+  std::size_t count = 0;
+  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h)
+    if(s.mesh.opposite(h) > h && core::turn_across(s, h) * 180 / std::acos(-1.) > degrees) ++count;
+  return count;
+}
+
+} // namespace
+
+TEST(Stray_creases, ASharpOneThatEndsOnTheSurfaceStays)
+{
+  const Adaptation_state s = make_state(sharp_roof(), at(40));
+  EXPECT_GE(inner_feature_edges(s), 4u);
+  EXPECT_EQ(inner_feature_edges(s), edges_turning(s, 40));
+}
+
+TEST(Stray_creases, ACoarseRoundIsNone)
+{
+  const Adaptation_state s = make_state(round_roof(), at(40));
+  ASSERT_GE(edges_turning(s, 40), 3u) << "else this shows nothing";
+  EXPECT_EQ(inner_feature_edges(s), 0u);
+}
+
+TEST(Stray_creases, MarkedOnesStay)
+{
+  const Shape shape = round_roof();
+  Options o = at(40);
+  const Index k = n + 1;
+  for(Index j : { 1, 2, 3 }) o.constrained.insert({ 6 + j * k, 6 + (j + 1) * k });
+  const Adaptation_state s = make_state(shape, o);
+  EXPECT_GE(inner_feature_edges(s), 3u);
+  for(Index j : { 1, 2, 3 })
+    EXPECT_GE(s.mesh.curve(s.mesh.find_halfedge(6 + j * k, 6 + (j + 1) * k)), 0);
+}
+
+// Nothing ends on the surface of a hexagonal prism or a box, however few the faces.
+TEST(Stray_creases, ClosedNetworksStay)
+{
+  const Shape tube = shape_zoo::grid(
+      "tube", 6, 2,
+      [](Index i, Index j) {
+        const double t = std::acos(-1.) / 3 * i;
+        return Vec(std::cos(t), std::sin(t), j);
+      },
+      true);
+  EXPECT_EQ(inner_feature_edges(make_state(tube, at(50))), 12u);
+  const Shape cube{ "cube",
+                    { Vec(0, 0, 0), Vec(1, 0, 0), Vec(1, 1, 0), Vec(0, 1, 0), Vec(0, 0, 1),
+                      Vec(1, 0, 1), Vec(1, 1, 1), Vec(0, 1, 1) },
+                    { { 0, 3, 2, 1 },
+                      { 4, 5, 6, 7 },
+                      { 0, 1, 5, 4 },
+                      { 1, 2, 6, 5 },
+                      { 2, 3, 7, 6 },
+                      { 3, 0, 4, 7 } } };
+  EXPECT_EQ(inner_feature_edges(make_state(cube, at(50))), 12u);
+}
