@@ -59,10 +59,8 @@ private:
            ", Release). Times are of the processor, for a whole call:\n"
            "copying in, preparing the reference surface, measuring and writing back included.\n"
            "Runs of all tasks are interleaved at random; figures are medians\n(" +
-           runs() +
-           formatted(
-               "), and the runs of a task lie %.0f %% apart in the middle, %.0f %% at most.\n\n",
-               100 * results_.median_spread(), 100 * results_.largest_spread()) +
+           runs() + ")" + spreads() +
+           ".\n\n"
            "*refine* is `refine()` from a coarse mesh, with smoothing; *adapt* is the default\n"
            "`adapt_quad_mesh()` on a mesh of about as many faces as the result has; *coarsen* is\n"
            "`coarsen()` to edges four times as long. Sizes are graded: those of the paper for "
@@ -80,8 +78,18 @@ private:
     std::string list;
     for(int level : results_.levels())
       list += (list.empty() ? "of " : ", ") + std::to_string(results_.runs_at(level)) +
-              (list.empty() ? " runs at 1e" : " at 1e") + std::to_string(level);
+              (list.empty() ? " run(s) of each at 1e" : " at 1e") + std::to_string(level);
     return list;
+  }
+
+  // Nothing where no task was run twice.
+  std::string spreads() const
+  {
+    const double middle = results_.median_spread(), most = results_.largest_spread();
+    return most > 0 ? formatted(", and the runs of a task lie %.0f %% apart in the middle, %.0f %% "
+                                "at most",
+                                100 * middle, 100 * most)
+                    : std::string();
   }
 
   // A goal with what was measured; empty when it was not measured.
@@ -126,11 +134,12 @@ private:
     s += goal("adapt, 1e7 over 1e5 faces", "%.2f",
               ratio(results_.find("adapt", "plate", 7), results_.find("adapt", "plate", 5)), 1.3);
     double most = 0;
-    for(const std::string& shape : shapes_)
-      for(int level : results_.levels())
-        if(const Result* r = results_.find("adapt", shape, level))
-          if(level >= 5) most = (std::max)(most, r->bytes_per_face());
-    s += goal("adapt, all shapes, bytes per face from 1e5 faces on", "%.0f", most, 600);
+    for(const char* what : { "refine", "adapt", "adapt whole", "coarsen", "coarsen 100" })
+      for(const std::string& shape : shapes_)
+        for(int level : results_.levels())
+          if(const Result* r = results_.find(what, shape, level))
+            if(level >= 5) most = (std::max)(most, r->bytes_per_face());
+    s += goal("all calls and shapes, bytes per face from 1e5 faces on", "%.0f", most, 600);
     return s + "\n";
   }
 
