@@ -58,10 +58,9 @@ private:
            "g++ " __VERSION__ ", CGAL " CGAL_VERSION_STR
            ", Release). Times are of the processor, for a whole call:\n"
            "copying in, preparing the reference surface, measuring and writing back included.\n"
-           "Runs of all tasks are interleaved at random, figures are medians" +
-           formatted(
-               " (%s). The runs of a task\nlie %.0f %% apart in the middle, %.0f %% at most.\n\n",
-               runs().c_str(), 100 * results_.median_spread(), 100 * results_.largest_spread()) +
+           "Runs of all tasks are interleaved at random; figures are medians\n(" +
+           runs() + ")" + spreads() +
+           ".\n\n"
            "*refine* is `refine()` from a coarse mesh, with smoothing; *adapt* is the default\n"
            "`adapt_quad_mesh()` on a mesh of about as many faces as the result has; *coarsen* is\n"
            "`coarsen()` to edges four times as long. Sizes are graded: those of the paper for "
@@ -79,8 +78,18 @@ private:
     std::string list;
     for(int level : results_.levels())
       list += (list.empty() ? "of " : ", ") + std::to_string(results_.runs_at(level)) +
-              (list.empty() ? " runs at 1e" : " at 1e") + std::to_string(level);
+              (list.empty() ? " run(s) of each at 1e" : " at 1e") + std::to_string(level);
     return list;
+  }
+
+  // Nothing where no task was run twice.
+  std::string spreads() const
+  {
+    const double middle = results_.median_spread(), most = results_.largest_spread();
+    return most > 0 ? formatted(", and the runs of a task lie %.0f %% apart in the middle, %.0f %% "
+                                "at most",
+                                100 * middle, 100 * most)
+                    : std::string();
   }
 
   // A goal with what was measured; empty when it was not measured.
@@ -116,10 +125,8 @@ private:
                 ratio(whole, triangles), 3);
       s += goal("adapt over Gmsh" + at, "%.2f", ratio(adapt, results_.find("gmsh", "plate", level)),
                 0.25);
-      const Result* small = results_.find("small change", "plate", level);
-      if(small && adapt)
-        s += goal("change of 1 %, over from scratch" + at, "%.2f",
-                  small->seconds() / adapt->seconds(), 0.1);
+      s += goal("change of 1 %, over from scratch" + at, "%.2f",
+                change_over_scratch(results_.find("small change", "plate", level)), 0.1);
       if(const Result* c = results_.find("coarsen 100", "plate", level))
         s += goal("100 times too fine, us per removed face, from" + at.substr(3), "%.1f",
                   c->microseconds_per_removed_face(), 10);
@@ -127,11 +134,12 @@ private:
     s += goal("adapt, 1e7 over 1e5 faces", "%.2f",
               ratio(results_.find("adapt", "plate", 7), results_.find("adapt", "plate", 5)), 1.3);
     double most = 0;
-    for(const std::string& shape : shapes_)
-      for(int level : results_.levels())
-        if(const Result* r = results_.find("adapt", shape, level))
-          if(level >= 5) most = (std::max)(most, r->bytes_per_face());
-    s += goal("adapt, all shapes, bytes per face from 1e5 faces on", "%.0f", most, 600);
+    for(const char* what : { "refine", "adapt", "adapt whole", "coarsen", "coarsen 100" })
+      for(const std::string& shape : shapes_)
+        for(int level : results_.levels())
+          if(const Result* r = results_.find(what, shape, level))
+            if(level >= 5) most = (std::max)(most, r->bytes_per_face());
+    s += goal("all calls and shapes, bytes per face from 1e5 faces on", "%.0f", most, 600);
     return s + "\n";
   }
 
@@ -198,14 +206,21 @@ private:
                      "writing.\n\n";
   }
 
+  // From scratch without symmetry where there was any, which the change has taken away.
+  double change_over_scratch(const Result* change) const
+  {
+    if(!change) return 0;
+    const Task& t = *change->task;
+    const Result* scratch = results_.find("adapt whole", t.shape, t.level);
+    if(!scratch) scratch = results_.find("adapt", t.shape, t.level);
+    return scratch ? change->seconds() / scratch->seconds() : 0;
+  }
+
   std::string small_changes() const
   {
     return table("Half the size on 1 % of the faces of an adapted mesh, over adapting from scratch",
-                 { "small change" }, [this](const Result& r) {
-                   const Result* whole = results_.find("adapt", r.task->shape, r.task->level);
-                   return whole ? formatted("%.2f", r.seconds() / whole->seconds())
-                                : std::string("-");
-                 });
+                 { "small change" },
+                 [this](const Result& r) { return formatted("%.2f", change_over_scratch(&r)); });
   }
 
   std::string phases() const

@@ -29,8 +29,8 @@ inline Task isotropic_task(const Shape& shape, int level)
   const double triangles = std::pow(10., level);
   return { "isotropic_remeshing", shape.name, level, [=] {
             const auto mesh = std::make_shared<Mesh>(shape.coarse());
-            // of equilateral triangles with this edge it would take 1.15 times as many
-            const double length = std::sqrt(area(*mesh) * 4 / (std::sqrt(3.) * 1.15 * triangles));
+            // it makes 1.3 times as many as there would be equilateral ones with this edge
+            const double length = std::sqrt(1.3 * area(*mesh) * 4 / (std::sqrt(3.) * triangles));
             CGAL::Polygon_mesh_processing::triangulate_faces(*mesh);
             return [=] {
               Outcome o;
