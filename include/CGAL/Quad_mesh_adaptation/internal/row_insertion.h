@@ -98,19 +98,22 @@ private:
     return list;
   }
 
-  // Mean width over the wanted size; 0 where it is uneven or must not change.
+  // Mean width over the wanted size; 0 where it is uneven, where only a part is too wide, or where
+  // it must not change.
   double steady_width(const Chord& c) const
   {
     const Quad_complex& m = s_.mesh;
-    double sum = 0, squares = 0;
+    double sum = 0, squares = 0, wide = 0;
     for(Index h : c.rungs) {
       if(m.curve(h) >= 0 && s_.curves[m.curve(h)].is_frozen()) return 0;
       const Vertex_record &u = m.vertex(m.origin(h)), &v = m.vertex(m.target(h));
       const double w = 2 * distance(u.p, v.p) / (u.h + v.h);
       sum += w;
       squares += w * w;
+      wide += w > 1;
     }
     const double n = double(c.rungs.size()), mean = sum / n;
+    if(wide < 0.9 * n) return 0;
     const double variance = squares / n - mean * mean;
     return variance < most_uneven * most_uneven * mean * mean ? mean : 0;
   }
