@@ -92,6 +92,7 @@ private:
   struct Evaluation
   {
     double value = 0, worst = 1; // worst corner t = 2 D / N
+    int inverted = 0;            // faces
   };
 
   // Basis of the directions r may move in; returns their number.
@@ -160,6 +161,8 @@ private:
       e.worst = (std::min)(e.worst, t.folded || turned ? -1. : t.following);
       const Corner_terms c[4] = { add_corner(t.N[0], t.D[0], e), add_corner(t.N[1], t.D[1], e),
                                   add_corner(t.N[2], t.D[2], e), add_corner(t.N[3], t.D[3], e) };
+      e.inverted +=
+          t.folded || t.following < 0 || (std::min)({ c[0].t, c[1].t, c[2].t, c[3].t }) <= 0;
       if(m) {
         for(int k = 0; k < 2; ++k) {
           t.x1[k] = t.a1 * t_[k];
@@ -326,6 +329,7 @@ private:
       s_.place(t);
       const Evaluation after = evaluate(t);
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
+         after.inverted <= before.inverted &&
          after.worst >= (std::min)(before.worst, s_.smoothing.min_corner) &&
          (!s_.smoothing.keep_within_size ||
           largest_ratio(t.p) <= (std::max)(largest_ratio(r.p), 1.))) {

@@ -38,14 +38,15 @@ inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& st
   } while(h >= 0 && h != start);
 }
 
-// Has the move of node v from `old` uncovered the surface where a face is turned away from it?  The
-// rim of a thin wall slides inward like that where no feature holds it.
+// Has the move of node v from `old` uncovered the surface where a face is turned away from it, or
+// turned a corner over?  The rim of a thin wall slides inward like that where no feature holds it.
 inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_record& old)
 {
   constexpr double enough = 0.27; // of the mean cosine between normals of face and surface
   if(s.surface.is_planar()) return false;
   const Vertex_record& r = s.mesh.vertex(v);
   double before = 0, now = 0, least = 1;
+  int turned = 0; // more corners than before
   Index h = r.halfedge;
   do {
     Corners p = s.corners(s.mesh.face(h));
@@ -54,13 +55,15 @@ inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_recor
     const double cosine = reference.mean_cosine(normalized(a));
     least = (std::min)(least, cosine);
     now += norm(a) * (std::max)(cosine, 0.);
+    turned += scaled_jacobian(p) > 0 ? 0 : 1;
     p[h & 3] = old.p;
+    turned -= scaled_jacobian(p) > 0 ? 0 : 1;
     reference.sum = reference.sum - r.normal + old.normal;
     const Vec b = area_vector(p);
     before += norm(b) * (std::max)(reference.mean_cosine(normalized(b)), 0.);
     h = s.mesh.turn_left(h);
   } while(h >= 0 && h != r.halfedge);
-  return least < enough && now < (1 - 1e-6) * before;
+  return turned > 0 || (least < enough && now < (1 - 1e-6) * before);
 }
 
 // Moves node v to a better place on its carrier; tells whether it moved far enough for its
