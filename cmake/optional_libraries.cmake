@@ -6,11 +6,13 @@ find_package(Eigen3 3.3 QUIET NO_MODULE)
 find_package(CLI11 QUIET)
 find_package(nlohmann_json QUIET)
 find_package(muparser QUIET)
+find_package(benchmark QUIET)
 
 set(library_of_Eigen Eigen3::Eigen)
 set(library_of_CLI11 CLI11::CLI11)
 set(library_of_json nlohmann_json::nlohmann_json)
 set(library_of_muParser muparser::muparser)
+set(library_of_GoogleBenchmark benchmark::benchmark)
 
 # The core, compiled once for all programs of this project, which saves most of their compile time.
 # The package is header-only all the same: the checks of the headers, the test of the installed
@@ -21,7 +23,7 @@ target_link_libraries(quad_mesh_core PUBLIC CGAL::Quad_mesh_adaptation
   PRIVATE quad_mesh_build_flags)
 target_compile_definitions(quad_mesh_core PUBLIC QUAD_MESH_ADAPTATION_COMPILED_CORE)
 
-# Links `target` to the libraries that are named (Eigen, CLI11, json, muParser).
+# Links `target` to the libraries that are named (Eigen, CLI11, json, muParser, GoogleBenchmark).
 function(quad_mesh_link target)
   target_link_libraries(${target} PRIVATE quad_mesh_core quad_mesh_build_flags)
   foreach(name IN LISTS ARGN)
@@ -48,7 +50,8 @@ function(quad_mesh_check_libraries result target)
   endif()
 endfunction()
 
-# quad_mesh_program(name [INSTALL] [LIBRARIES Eigen CLI11 json muParser] [SOURCES file.cpp ...])
+# quad_mesh_program(name [INSTALL] [LIBRARIES Eigen CLI11 json muParser GoogleBenchmark]
+#                   [SOURCES file.cpp ...])
 # builds the sources, by default name.cpp.
 function(quad_mesh_program name)
   cmake_parse_arguments(program "INSTALL" "" "LIBRARIES;SOURCES" ${ARGN})

@@ -2,7 +2,9 @@
 # Copyright (c) 2026 The Quad_mesh_adaptation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs the Debian packages that the examples and the tests need.  Says nothing when all are there.
+# install_dependencies.sh [PACKAGE ...]
+# Installs the Debian packages that the examples and the tests need, and those named.  Says nothing
+# when all are there.
 
 set -euo pipefail
 
@@ -12,6 +14,7 @@ packages=(
   libeigen3-dev                # finite elements of the plate with a hole
   libcli11-dev nlohmann-json3-dev libmuparser-dev # the program quad_adapt
   libgtest-dev                 # tests
+  "$@"
 )
 
 missing=()

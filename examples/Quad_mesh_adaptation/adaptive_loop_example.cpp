@@ -6,7 +6,7 @@
 // uniform refinement in every round, or more than a quarter for the error of the finest mesh.
 
 #include "support/Example_options.h"
-#include "support/convergence_plot.h"
+#include "support/log_plot.h"
 #include "support/plate_analysis.h"
 #include "support/reference_stress.h"
 
@@ -50,20 +50,21 @@ double nodes_for(const std::vector<Row>& rows, double error)
   return double(rows[i].nodes) * std::pow(error / rows[i].actual, slope);
 }
 
-Convergence_plot plot_of(const std::vector<Row>& uniform, const std::vector<Row>& adapted)
+Log_plot plot_of(const std::vector<Row>& uniform, const std::vector<Row>& adapted)
 {
-  Convergence_plot plot;
+  Log_plot plot;
   plot.title = "Plate with a hole: error in the energy norm";
   plot.x_title = "nodes";
   plot.y_title = "share of the energy norm";
+  plot.is_percent = true;
   plot.curves = { { "uniform refinement", "#b03020", {}, {}, false },
                   { "uniform, estimated", "#e0a090", {}, {}, true },
                   { "solve - estimate - adapt", "#2050a0", {}, {}, false },
                   { "adapted, estimated", "#90b0e0", {}, {}, true } };
   for(int i = 0; i < 4; ++i)
     for(const Row& row : i < 2 ? uniform : adapted) {
-      plot.curves[i].nodes.push_back(double(row.nodes));
-      plot.curves[i].error.push_back(i % 2 ? row.estimated : row.actual);
+      plot.curves[i].x.push_back(double(row.nodes));
+      plot.curves[i].y.push_back(i % 2 ? row.estimated : row.actual);
     }
   return plot;
 }

@@ -24,7 +24,7 @@ struct Node_relaxation_access
   {
     const int dofs = relax.directions(r);
     for(int i = 0; i < dofs; ++i) t[i] = relax.t_[i];
-    relax.evaluate(r, dofs, &m);
+    relax.evaluate(r, &m);
     return dofs;
   }
 };

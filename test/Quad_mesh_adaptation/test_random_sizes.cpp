@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -24,6 +25,12 @@
 #include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
+
+namespace shape_zoo {
+
+void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
+
+} // namespace shape_zoo
 
 namespace {
 
@@ -143,19 +150,30 @@ void run(unsigned seed, const Shape& shape, Kind kind)
     run(seed, shape, mesh, size, kind);
 }
 
-void run_all(Kind kind)
+class Random_sizes : public testing::TestWithParam<Shape>
 {
-  const unsigned first = zoo_mesh::seed();
-  std::cout << "QUAD_MESH_SEED=" << first << std::endl;
-  const int runs = zoo_mesh::count("QUAD_MESH_RUNS", 1);
-  for(int i = 0; i < runs; ++i)
-    for(const Shape& shape : shape_zoo::all()) run(first + unsigned(i), shape, kind);
-}
+protected:
+  void run_kind(Kind kind)
+  {
+    const unsigned first = zoo_mesh::seed();
+    std::cout << "QUAD_MESH_SEED=" << first << std::endl;
+    const int runs = zoo_mesh::count("QUAD_MESH_RUNS", 1);
+    for(int i = 0; i < runs; ++i) run(first + unsigned(i), GetParam(), kind);
+  }
+};
+
+TEST_P(Random_sizes, Graded) { run_kind(Kind::graded); }
+
+TEST_P(Random_sizes, Steep) { run_kind(Kind::steep); }
+
+TEST_P(Random_sizes, PaperSchedule) { run_kind(Kind::paper); }
+
+INSTANTIATE_TEST_SUITE_P(Zoo, Random_sizes, testing::ValuesIn(shape_zoo::all()),
+                         [](const testing::TestParamInfo<Shape>& info) {
+                           std::string name = info.param.name;
+                           for(char& c : name)
+                             if(!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                           return name;
+                         });
 
 } // namespace
-
-TEST(Random_sizes, Graded) { run_all(Kind::graded); }
-
-TEST(Random_sizes, Steep) { run_all(Kind::steep); }
-
-TEST(Random_sizes, PaperSchedule) { run_all(Kind::paper); }

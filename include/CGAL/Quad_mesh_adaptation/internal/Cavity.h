@@ -150,20 +150,14 @@ public:
   void commit(std::vector<Index>* touched = nullptr);
 
 private:
-  struct Halfedge_key
-  {
-    int u, v, h;
-    bool operator<(const Halfedge_key& o) const
-    {
-      return u != o.u ? u < o.u : v != o.v ? v < o.v : h < o.h;
-    }
-  };
-
   bool remove_doublets();
   bool fuse_at(int n);
+  void list_corners();
+  int first_corner(int n) const { return n == 0 ? 0 : corner_end_[n - 1]; }
+  int new_halfedge(int u, int v) const;
   bool match_inside();
   bool match_outside();
-  bool curves_kept() const;
+  bool curves_kept();
   bool umbrellas_whole();
   bool same_pairs(int n) const;
   bool curves_in_order() const;
@@ -171,7 +165,8 @@ private:
   void count_corners();
   int limit_of(std::size_t n) const;
   void measure_before();
-  void gather(int n, int first, int last);
+  void set_factors();
+  void gather(int n);
   bool is_inner(int n) const { return total_corners_[n] == new_corners_[n] && new_corners_[n] > 0; }
   int origin(int h) const { return quads[h >> 2].v[h & 3]; }
   int target(int h) const { return quads[h >> 2].v[(h + 1) & 3]; }
@@ -199,13 +194,12 @@ private:
   Node_relaxation relax_;
   std::vector<char> face_mark_;
   std::vector<int> local_of_;
-  std::vector<Halfedge_key> keys_, outer_keys_; // new half-edges; outer half-edges
-  std::vector<int> partner_;                    // of new half-edges, inside the cavity
-  std::vector<Index> outer_;                    // or in the mesh outside
+  std::vector<int> partner_; // of new half-edges, inside the cavity
+  std::vector<Index> outer_; // or in the mesh outside
   std::vector<int> old_corners_, new_corners_, total_corners_;
-  std::vector<int> fan_count_, old_fan_count_, reached_;
-  std::vector<int> corner_start_, corner_list_; // half-edges by origin, for relax()
-  std::vector<double> factors_;                 // wanted size over sum of nodal sizes, by quad
+  std::vector<int> fan_count_, old_fan_count_, reached_, degree_;
+  std::vector<int> corner_end_, corner_list_; // new half-edges by origin
+  std::vector<double> factors_;               // wanted size over sum of nodal sizes, by quad
   double energy_before_ = 0;
 };
 

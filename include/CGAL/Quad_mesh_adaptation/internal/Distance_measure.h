@@ -145,8 +145,11 @@ private:
     if(hint < 0) hint = mesh_.find(p, -1, direction);
     double d = distance(p, mesh_.project(p, hint));
     if(d > from_reference_ || d > of_face[face_of_[hint / 2]]) {
-      hint = mesh_.find(p, -1, direction);
-      d = (std::min)(d, distance(p, mesh_.project(p, hint)));
+      Index nearer = mesh_.find_nearer(p, -1, direction, d);
+      if(nearer >= 0) {
+        d = (std::min)(d, distance(p, mesh_.project(p, nearer)));
+        hint = nearer;
+      }
     }
     note(face_of_[hint / 2], d, from_reference_);
   }

@@ -15,8 +15,9 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // One pass after the other over the stirred nodes: of all local operations about a node, the one
-// that lowers the energy most is committed.  Every commit lowers the energy by at least
-// energy.min_gain, so passes end.
+// that lowers the energy most is committed.  Without a tolerance every commit lowers the energy by
+// at least energy.min_gain; with one it may rise by less than that.  Either way the number of
+// passes is bounded, and with it the work.
 class Local_improvement
 {
 public:
@@ -63,10 +64,11 @@ public:
       candidates_.describe(c, *trial_);
       const bool wide = candidates_.relieves_crowd(c); // worth a look although it starts badly
       if(wide) trial_->add_halo();
-      double change = try_cavity(*trial_, best_change, wide ? 50 : 0);
-      if(!wide && change >= best_change && change < best_change + options_.halo_below) {
+      const double reach = halo_gain(c.kind);
+      double change = try_cavity(*trial_, best_change, wide ? 50 : reach);
+      if(!wide && change >= best_change && change < best_change + reach) {
         trial_->add_halo(); // the nodes around may move, too
-        change = try_cavity(*trial_, best_change);
+        change = try_cavity(*trial_, best_change, 0);
       }
       if(change >= best_change) continue;
       best_change = change;
@@ -82,19 +84,18 @@ public:
   }
 
 private:
-  // Change of energy, or more than any bound where it is not legal.
-  double try_cavity(Cavity& c, double to_beat, double patience = 0)
+  // Change of energy, or more than any bound where it is not legal, or where an estimate is above
+  // `to_beat` by more than `reach`.
+  double try_cavity(Cavity& c, double to_beat, double reach)
   {
-    constexpr double refused = 1e300;
+    constexpr double refused = 1e300, error = 0.5; // of the estimate
     if(!c.close()) return refused;
     const double hopeless = c.energy_before() + to_beat;
     for(int sweep = 0; sweep < options_.sweeps; ++sweep) {
       c.relax(1);
-      const double estimate = c.estimate_after();
       const bool last = sweep + 1 == options_.sweeps;
-      const double allowed = last ? options_.halo_below + 0.5 : options_.sweep_below;
-      if(estimate > hopeless + allowed + patience)
-        return refused; // half a unit for the estimate's error
+      const double allowed = last ? reach + error : (std::max)(reach, options_.sweep_below);
+      if(c.estimate_after() > hopeless + allowed) return refused;
     }
     const double change = c.energy_after() - c.energy_before();
     if(!(change < to_beat)) return change;

@@ -72,13 +72,13 @@ public:
     const int dofs = directions(r);
     if(dofs == 0) return false;
     Local_model m;
-    const Evaluation before = evaluate(r, dofs, &m);
+    const Evaluation before = evaluate(r, &m);
     double step[2] = { 0, 0 };
     if(!newton_step(m, dofs, step)) return false;
     return line_search(r, dofs, step, before);
   }
 
-  double objective(const Vertex_record& r) const { return evaluate(r, 0, nullptr).value; }
+  double objective(const Vertex_record& r) const { return evaluate(r).value; }
 
 private:
   static double integer_power(double x, int n)
@@ -101,6 +101,7 @@ private:
     if(r.carrier == Carrier::curve) {
       if(s_.curves[r.curve].is_frozen()) return 0;
       t_[0] = s_.curves[r.curve].tangent(r.param);
+      t_[1] = Vec(0, 0, 0);
       return 1;
     }
     const Vec n = r.normal;
@@ -116,6 +117,7 @@ private:
   {
     Vec a1, a3, n; // from the node to q1 and q3; the face's normal
     double N[4], D[4], l1, l3, following;
+    double x1[2], x3[2]; // a1, a3 along the directions of motion
     bool folded;
   };
 
@@ -146,7 +148,7 @@ private:
   }
 
   // The objective with the node at r, and its derivatives if m is given.
-  Evaluation evaluate(const Vertex_record& r, int dofs, Local_model* m) const
+  Evaluation evaluate(const Vertex_record& r, Local_model* m = nullptr) const
   {
     const Smoothing_weights& w = s_.smoothing;
     const bool sized = w.size > 0 || w.hinge > 0;
@@ -156,16 +158,20 @@ private:
       measure_face(f, r.p, r.normal, t);
       const bool turned = t.n * r.normal < 0; // as a node gone round a thin rim would see it
       e.worst = (std::min)(e.worst, t.folded || turned ? -1. : t.following);
-      for(int i = 0; i < 4; ++i) {
-        e.value += 0.25 * Corner_cost::value(t.N[i], t.D[i]);
-        e.worst = (std::min)(e.worst, t.N[i] > 0 ? 2 * t.D[i] / t.N[i] : -1.);
+      const Corner_terms c[4] = { add_corner(t.N[0], t.D[0], e), add_corner(t.N[1], t.D[1], e),
+                                  add_corner(t.N[2], t.D[2], e), add_corner(t.N[3], t.D[3], e) };
+      if(m) {
+        for(int k = 0; k < 2; ++k) {
+          t.x1[k] = t.a1 * t_[k];
+          t.x3[k] = t.a3 * t_[k];
+        }
+        add_shape_slopes(f, t, c, *m);
       }
-      if(m) add_shape(f, t, dofs, *m);
       if(!sized) continue;
       const double h = f.target(r.h), ratio = 0.25 * (t.l1 + t.l3 + f.l) / h;
       double d1, d2;
       e.value += size_cost(ratio, d1, d2);
-      if(m) add_size(f, t, h, ratio, d1, d2, dofs, *m);
+      if(m) add_size_slopes(f, t, h, ratio, d1, d2, *m);
     }
     return e;
   }
@@ -201,64 +207,81 @@ private:
     return v;
   }
 
-  // Derivatives of the shape cost of one face, normals frozen.  Both edges depend on the node at
-  // corner 0, one at its neighbours, none at corner 2 (but through the normal).
-  void add_shape(const Star_face& f, const Face_terms& t, int dofs, Local_model& m) const
+  // A corner's measure t = 2 D / N and the derivatives of its cost in t.
+  struct Corner_terms
   {
-    add_corner(t.N[0], t.D[0], 4, -2 * (t.a1 + t.a3), cross(t.n, t.a3 - t.a1), dofs, m);
-    add_corner(t.N[1], t.D[1], 2, -2 * t.a1, cross(t.n, f.e1), dofs, m);
-    add_corner(t.N[3], t.D[3], 2, -2 * t.a3, cross(f.e3, t.n), dofs, m);
-  }
+    double t, inverse_N, c1, c2;
+  };
 
-  void add_corner(double N, double D, double hN, const Vec& gN, const Vec& gD, int dofs,
-                  Local_model& m) const
+  static Corner_terms add_corner(double N, double D, Evaluation& e)
   {
-    if(!(N > 0)) return;
-    const double t = 2 * D / N;
-    // cost as a function of t, then t of N and D
-    double c1, c2;
+    if(!(N > 0)) {
+      e.value += 0.25 * Corner_cost::limit();
+      e.worst = -1;
+      return { -1, 0, 0, 0 };
+    }
+    const double inverse_N = 1 / N, t = 2 * D * inverse_N;
+    e.worst = (std::min)(e.worst, t);
     if(t >= 2 * Corner_cost::flat) {
       const double i = 1 / t;
-      c1 = -(2 * i - 1) * i * i;
-      c2 = (6 * i - 2) * i * i * i;
-    } else {
-      c1 = -Corner_cost::slope();
-      c2 = 0;
+      e.value += 0.25 * i * (i - 1);
+      return { t, inverse_N, -0.25 * (2 * i - 1) * i * i, 0.25 * (6 * i - 2) * i * i * i };
     }
-    double dN[2], dD[2], dt[2];
-    for(int i = 0; i < dofs; ++i) {
-      dN[i] = gN * t_[i];
-      dD[i] = gD * t_[i];
-      dt[i] = (2 * dD[i] - t * dN[i]) / N;
-      m.g[i] += 0.25 * c1 * dt[i];
-    }
-    for(int i = 0, k = 0; i < dofs; ++i)
-      for(int j = i; j < dofs; ++j, ++k) {
-        // N t = 2 D, differentiated twice (D is linear in x)
-        const double ddt = -(t * (i == j ? hN : 0.) + dN[i] * dt[j] + dN[j] * dt[i]) / N;
-        m.H[dofs == 1 ? 0 : k] += 0.25 * (c2 * dt[i] * dt[j] + c1 * ddt);
-      }
+    constexpr double at_flat = Corner_cost::at_flat(), slope = Corner_cost::slope();
+    e.value += 0.25 * (at_flat + slope * (2 * Corner_cost::flat - t));
+    return { t, inverse_N, -0.25 * slope, 0 };
   }
 
-  void add_size(const Star_face& f, const Face_terms& t, double h, double r, double d1, double d2,
-                int dofs, Local_model& m) const
+  // Derivatives of the shape cost of one face, normals frozen.  Both edges depend on the node at
+  // corner 0, one at its neighbours, none at corner 2 (but through the normal).
+  void add_shape_slopes(const Star_face& f, const Face_terms& t, const Corner_terms* c,
+                        Local_model& m) const
+  {
+    const Vec w = t.a3 - t.a1;
+    double dN[3][2], dD[3][2];
+    for(int k = 0; k < 2; ++k) {
+      const Vec p = cross(t_[k], t.n); // (n x u) . t = u . (t x n)
+      dN[0][k] = -2 * (t.x1[k] + t.x3[k]);
+      dN[1][k] = -2 * t.x1[k];
+      dN[2][k] = -2 * t.x3[k];
+      dD[0][k] = w * p;
+      dD[1][k] = f.e1 * p;
+      dD[2][k] = -(f.e3 * p);
+    }
+    add_corner_slopes(c[0], 4, dN[0], dD[0], m);
+    add_corner_slopes(c[1], 2, dN[1], dD[1], m);
+    add_corner_slopes(c[3], 2, dN[2], dD[2], m);
+  }
+
+  // hN: second derivative of N in each direction.
+  static void add_corner_slopes(const Corner_terms& c, double hN, const double* dN,
+                                const double* dD, Local_model& m)
+  {
+    const double x = (2 * dD[0] - c.t * dN[0]) * c.inverse_N,
+                 y = (2 * dD[1] - c.t * dN[1]) * c.inverse_N;
+    m.g[0] += c.c1 * x;
+    m.g[1] += c.c1 * y;
+    // N t = 2 D, differentiated twice (D is linear in x)
+    const double s = -c.c1 * c.inverse_N;
+    m.H[0] += c.c2 * x * x + s * (c.t * hN + 2 * dN[0] * x);
+    m.H[1] += c.c2 * x * y + s * (dN[0] * y + dN[1] * x);
+    m.H[2] += c.c2 * y * y + s * (c.t * hN + 2 * dN[1] * y);
+  }
+
+  void add_size_slopes(const Star_face& f, const Face_terms& t, double h, double r, double d1,
+                       double d2, Local_model& m) const
   {
     if(!(t.l1 > 0 && t.l3 > 0)) return;
-    const double l1 = t.l1, l3 = t.l3, slope = h > f.floor ? 4 * f.factor : 0.;
-    const Vec u1 = t.a1 / -l1, u3 = t.a3 / -l3;
-    double dr[2], a1[2], a3[2];
-    for(int i = 0; i < dofs; ++i) {
-      a1[i] = u1 * t_[i];
-      a3[i] = u3 * t_[i];
-      dr[i] = 0.25 * (a1[i] + a3[i] - r * slope * (f.grad_h * t_[i])) / h;
-      m.g[i] += d1 * dr[i];
-    }
-    for(int i = 0, k = 0; i < dofs; ++i)
-      for(int j = i; j < dofs; ++j, ++k) {
-        const double id = i == j ? 1. : 0.;
-        const double ddr = 0.25 * ((id - a1[i] * a1[j]) / l1 + (id - a3[i] * a3[j]) / l3) / h;
-        m.H[dofs == 1 ? 0 : k] += d2 * dr[i] * dr[j] + d1 * ddr;
-      }
+    const double i1 = 1 / t.l1, i3 = 1 / t.l3, q = 0.25 / h;
+    const double slope = h > f.floor ? 4 * f.factor * r : 0.;
+    const double ax = -t.x1[0] * i1, ay = -t.x1[1] * i1, bx = -t.x3[0] * i3, by = -t.x3[1] * i3;
+    const double x = q * (ax + bx - slope * (f.grad_h * t_[0])),
+                 y = q * (ay + by - slope * (f.grad_h * t_[1]));
+    m.g[0] += d1 * x;
+    m.g[1] += d1 * y;
+    m.H[0] += d2 * x * x + d1 * q * ((1 - ax * ax) * i1 + (1 - bx * bx) * i3);
+    m.H[1] += d2 * x * y - d1 * q * (ax * ay * i1 + bx * by * i3);
+    m.H[2] += d2 * y * y + d1 * q * ((1 - ay * ay) * i1 + (1 - by * by) * i3);
   }
 
   // Newton step, with the Hessian shifted to be positive definite.
@@ -301,7 +324,7 @@ private:
       else
         t.p = r.p + (scale * step[0]) * t_[0] + (scale * step[1]) * t_[1];
       s_.place(t);
-      const Evaluation after = evaluate(t, 0, nullptr);
+      const Evaluation after = evaluate(t);
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
          after.worst >= (std::min)(before.worst, s_.smoothing.min_corner) &&
          (!s_.smoothing.keep_within_size ||

@@ -116,11 +116,20 @@ public:
   Index find(const Vec& p, Index patch, const Vec& direction) const
   {
     if(planar_) return -1;
-    if(!tree_) build_tree();
-    const Index t = Index(tree_->nearest_of(p, [&](std::size_t i) {
-      return (patch < 0 || patches_[i] == patch) && !(normals_[i] * direction < 0);
-    }));
+    const Index t = find_nearer(p, patch, direction, 1e150);
     return t >= 0 ? t : Index(tree_->nearest(p).triangle);
+  }
+
+  // The same, but only triangles nearer than `within` are looked for, which takes far less time
+  // where that is little; -1 if there is none.
+  Index find_nearer(const Vec& p, Index patch, const Vec& direction, double within) const
+  {
+    if(planar_) return -1;
+    if(!tree_) build_tree();
+    const auto accept = [&](std::size_t i) {
+      return (patch < 0 || patches_[i] == patch) && !(normals_[i] * direction < 0);
+    };
+    return Index(tree_->nearest_of(p, accept, within));
   }
 
 private:

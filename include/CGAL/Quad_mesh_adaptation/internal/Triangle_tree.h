@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -76,11 +75,12 @@ public:
     return found ? Index(*found - triangles_.cbegin()) : Index(-1);
   }
 
-  // The triangle nearest to p among those that `accept(number)` likes; -1 if there is none.
+  // The triangle nearest to p, and nearer than `within`, among those that `accept(number)` likes;
+  // -1 if there is none.
   template <typename Accept>
-  long nearest_of(const Vec& p, const Accept& accept) const
+  long nearest_of(const Vec& p, const Accept& accept, double within) const
   {
-    Search<Accept> search{ triangles_.cbegin(), p, accept };
+    Search<Accept> search{ triangles_.cbegin(), p, accept, -1, within * within };
     tree_.traversal(p, search);
     return search.best;
   }
@@ -93,8 +93,8 @@ private:
     Iterator first;
     Vec p;
     const Accept& accept;
-    long best = -1;
-    double distance2 = (std::numeric_limits<double>::max)();
+    long best;
+    double distance2; // of the best, at first the bound
 
     bool go_further() const { return true; }
 

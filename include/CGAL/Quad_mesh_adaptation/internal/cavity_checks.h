@@ -27,63 +27,71 @@ inline void Cavity::count_corners()
         (ids[i] >= 0 ? s_.mesh.vertex(ids[i]).faces - old_corners_[i] : 0) + new_corners_[i];
 }
 
+// Half-edges of the new quads by origin.
+inline void Cavity::list_corners()
+{
+  corner_end_.assign(nodes.size() + 1, 0);
+  for(const Cavity_quad& q : quads)
+    for(int v : q.v) ++corner_end_[v + 1];
+  for(std::size_t i = 1; i < corner_end_.size(); ++i) corner_end_[i] += corner_end_[i - 1];
+  corner_list_.resize(4 * quads.size());
+  for(int h = 0; h < int(4 * quads.size()); ++h) corner_list_[corner_end_[origin(h)]++] = h;
+}
+
+// The new half-edge from node u to node v, -1 if there is none.
+inline int Cavity::new_halfedge(int u, int v) const
+{
+  for(int i = first_corner(u); i < corner_end_[u]; ++i)
+    if(target(corner_list_[i]) == v) return corner_list_[i];
+  return -1;
+}
+
 inline bool Cavity::match_inside()
 {
-  keys_.clear();
-  for(int h = 0; h < int(4 * quads.size()); ++h) {
-    if(origin(h) == target(h)) return false;
-    keys_.push_back({ origin(h), target(h), h });
-  }
   for(const Cavity_quad& q : quads)
     if(q.v[0] == q.v[2] || q.v[1] == q.v[3]) return false;
-  std::sort(keys_.begin(), keys_.end());
-  for(std::size_t i = 1; i < keys_.size(); ++i)
-    if(keys_[i].u == keys_[i - 1].u && keys_[i].v == keys_[i - 1].v) return false;
-  partner_.assign(keys_.size(), -1);
-  outer_.assign(keys_.size(), -1);
-  for(const Halfedge_key& k : keys_) {
-    const auto it = std::lower_bound(keys_.begin(), keys_.end(), Halfedge_key{ k.v, k.u, -1 });
-    if(it != keys_.end() && it->u == k.v && it->v == k.u) partner_[k.h] = it->h;
+  list_corners();
+  const int n = int(4 * quads.size());
+  partner_.resize(n);
+  outer_.assign(n, -1);
+  for(int h = 0; h < n; ++h) {
+    const int u = origin(h), v = target(h);
+    if(u == v || new_halfedge(u, v) != h) return false; // the same edge twice
+    partner_[h] = new_halfedge(v, u);
   }
   return true;
 }
 
 inline bool Cavity::match_outside()
 {
-  outer_keys_.clear();
   for(Index f : old_faces)
-    for(Index h = 4 * f; h < 4 * f + 4; ++h) {
-      const Index o = s_.mesh.opposite(h);
-      if(o >= 0 && !face_mark_[s_.mesh.face(o)])
-        outer_keys_.push_back({ local_of_[s_.mesh.origin(h)], local_of_[s_.mesh.target(h)], o });
+    for(Index g = 4 * f; g < 4 * f + 4; ++g) {
+      const Index o = s_.mesh.opposite(g);
+      if(o < 0 || face_mark_[s_.mesh.face(o)]) continue;
+      const int h = new_halfedge(local_of_[s_.mesh.origin(g)], local_of_[s_.mesh.target(g)]);
+      if(h < 0 || partner_[h] >= 0) return false;
+      outer_[h] = o;
     }
-  std::sort(outer_keys_.begin(), outer_keys_.end());
-  std::size_t used = 0;
   for(int h = 0; h < int(partner_.size()); ++h) {
     Index& c = quads[h >> 2].curve[h & 3];
-    const auto it = std::lower_bound(outer_keys_.begin(), outer_keys_.end(),
-                                     Halfedge_key{ origin(h), target(h), -1 });
-    const bool outside = it != outer_keys_.end() && it->u == origin(h) && it->v == target(h);
     if(partner_[h] >= 0) {
-      if(outside) return false;
       Index& d = quads[partner_[h] >> 2].curve[partner_[h] & 3];
       c = d = (std::max)(c, d);
       if(c >= 0 && s_.curves[c].is_border()) return false;
-    } else if(outside) {
-      outer_[h] = it->h;
-      c = s_.mesh.curve(it->h);
-      ++used;
+    } else if(outer_[h] >= 0) {
+      c = s_.mesh.curve(outer_[h]);
     } else if(c < 0 || !s_.curves[c].is_border()) {
       return false; // would tear the mesh open
     }
   }
-  return used == outer_keys_.size();
+  return true;
 }
 
 // Each node keeps the number of curve edges it has.
-inline bool Cavity::curves_kept() const
+inline bool Cavity::curves_kept()
 {
-  std::vector<int> degree(nodes.size(), 0);
+  std::vector<int>& degree = degree_;
+  degree.assign(nodes.size(), 0);
   bool any = false;
   for(Index f : old_faces)
     for(Index h = 4 * f; h < 4 * f + 4; ++h) {
@@ -253,6 +261,7 @@ inline bool Cavity::close()
   }
   if(!match_outside() || !umbrellas_whole() || !curves_kept() || has_parallel_edge()) return false;
   measure_before();
+  set_factors();
   return true;
 }
 

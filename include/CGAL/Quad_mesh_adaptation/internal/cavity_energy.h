@@ -20,6 +20,14 @@ inline void Cavity::measure_before()
     if(ids[n] >= 0) energy_before_ += s_.valence_energy(s_.mesh.vertex(ids[n]).faces, nodes[n]);
 }
 
+// Each quad wants the size of the face it comes from, for its sum of sizes at the nodes.
+inline void Cavity::set_factors()
+{
+  factors_.resize(quads.size());
+  for(std::size_t k = 0; k < quads.size(); ++k)
+    factors_[k] = quads[k].parent >= 0 ? s_.size_factor(quads[k].parent) : 0.25;
+}
+
 inline double Cavity::energy_after()
 {
   double e = 0;
@@ -37,10 +45,8 @@ inline double Cavity::estimate_after()
   double e = 0;
   for(std::size_t n = 0; n < nodes.size(); ++n)
     if(new_corners_[n] > 0) e += s_.valence_energy(total_corners_[n], nodes[n]);
-  factors_.resize(quads.size());
   for(std::size_t k = 0; k < quads.size(); ++k) {
     const Cavity_quad& q = quads[k];
-    factors_[k] = q.parent >= 0 ? s_.size_factor(q.parent) : 0.25;
     const double sizes = nodes[q.v[0]].h + nodes[q.v[1]].h + nodes[q.v[2]].h + nodes[q.v[3]].h;
     e += s_.face_energy_for(corners_of(q), reference_of(q),
                             (std::max)(factors_[k] * sizes, floor_of(q)));
@@ -111,31 +117,22 @@ inline double Cavity::largest_after() const
 
 inline void Cavity::relax(int sweeps)
 {
-  factors_.resize(quads.size());
-  for(std::size_t k = 0; k < quads.size(); ++k)
-    factors_[k] = quads[k].parent >= 0 ? s_.size_factor(quads[k].parent) : 0.25;
-  corner_start_.assign(nodes.size() + 1, 0);
-  for(const Cavity_quad& q : quads)
-    for(int v : q.v) ++corner_start_[v + 1];
-  for(std::size_t i = 1; i < corner_start_.size(); ++i) corner_start_[i] += corner_start_[i - 1];
-  corner_list_.resize(4 * quads.size());
-  for(int h = 0; h < int(4 * quads.size()); ++h) corner_list_[corner_start_[origin(h)]++] = h;
   for(int sweep = 0; sweep < sweeps; ++sweep) {
     bool moved = false;
     for(std::size_t n = 0; n < nodes.size(); ++n) {
       if(!is_inner(int(n)) || nodes[n].frozen || nodes[n].carrier == Carrier::corner) continue;
-      gather(int(n), n == 0 ? 0 : corner_start_[n - 1], corner_start_[n]);
+      gather(int(n));
       moved = relax_(nodes[n]) || moved;
     }
     if(!moved) break;
   }
 }
 
-inline void Cavity::gather(int n, int first, int last)
+inline void Cavity::gather(int n)
 {
   std::vector<Star_face>& star = relax_.star();
   star.clear();
-  for(int i = first; i < last; ++i) {
+  for(int i = first_corner(n); i < corner_end_[n]; ++i) {
     const int h = corner_list_[i];
     const Cavity_quad& q = quads[h >> 2];
     const Vertex_record &x = nodes[n], &a = nodes[q.v[(h + 1) & 3]], &b = nodes[q.v[(h + 2) & 3]],

@@ -14,7 +14,8 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // Topological clean-up about the stirred nodes: passes of local operations, each lowering the
-// energy, until one finds nothing to do, then a little smoothing.  Returns the number of
+// energy (or raising it by less than the tolerance), until one finds nothing to do, then a little
+// smoothing.  Returns the number of
 // operations.
 inline std::size_t clean_up_stirred(Adaptation_state& s, const Improvement_options& o,
                                     int max_passes, int smoothing_sweeps)

@@ -56,17 +56,17 @@ struct Corner_cost
     }
     return at_flat() + slope() * (2 * flat - 2 * D / N);
   }
-  static double at_flat()
+  static constexpr double at_flat()
   {
     const double s = 0.5 / flat - 1;
     return s + s * s;
   }
-  static double slope() // -d cost / dt at t = 2 flat
+  static constexpr double slope() // -d cost / dt at t = 2 flat
   {
     const double t = 2 * flat, s = 1 / t - 1;
     return (1 + 2 * s) / (t * t);
   }
-  static double limit() { return at_flat() + slope() * (1 + 2 * flat); }
+  static constexpr double limit() { return at_flat() + slope() * (1 + 2 * flat); }
 };
 
 // Mean corner cost of a face, measured along the unit normal n.

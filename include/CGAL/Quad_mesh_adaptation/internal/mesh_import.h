@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Patch_numbers.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -60,7 +61,7 @@ public:
   }
 
   // The caller's patch behind each number in Input_mesh::patch.
-  const std::vector<Patch>& patches() const { return patches_; }
+  const std::vector<Patch>& patches() const { return patch_numbers_.patches(); }
 
   template <typename FaceRange>
   void operator()(const FaceRange& chosen, bool is_region, Input_mesh& in,
@@ -111,20 +112,11 @@ private:
     }
     check_shape(q, position, in);
     in.quads.push_back(q);
-    in.patch.push_back(number_of_patch(get(fpm_, f)));
+    in.patch.push_back(patch_numbers_.number(get(fpm_, f)));
     out.first_halfedge.push_back(h0);
     for(int i = 0; i < 4; ++i)
       if(in.is_frozen[4 * in.quads.size() - 4 + i])
         in.is_frozen_vertex[q[i]] = in.is_frozen_vertex[q[(i + 1) & 3]] = 1;
-  }
-
-  Index number_of_patch(const Patch& p)
-  {
-    if(!patches_.empty() && patches_[last_patch_] == p) return last_patch_;
-    const auto it = std::find(patches_.begin(), patches_.end(), p);
-    last_patch_ = Index(it - patches_.begin());
-    if(it == patches_.end()) patches_.push_back(p);
-    return last_patch_;
   }
 
   // Where parts of the region meet in a vertex only, each part has its own number for it: the
@@ -214,8 +206,7 @@ private:
   EdgeConstrainedMap ecm_;
   VertexConstrainedMap vcm_;
   FacePatchMap fpm_;
-  std::vector<Patch> patches_;
-  Index last_patch_ = 0;
+  Patch_numbers<Patch> patch_numbers_;
   typename boost::property_map<QuadMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type
       number_of_;
   typename boost::property_map<QuadMesh, CGAL::dynamic_halfedge_property_t<Index>>::const_type

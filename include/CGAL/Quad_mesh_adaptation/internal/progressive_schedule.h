@@ -57,16 +57,20 @@ inline void refine_progressively(Adaptation_state& s, const Improvement_options&
 }
 
 // The same without clean-up: templates and smoothing only.  An edge that no pass can split, because
-// parity and constraints forbid it, does not keep the loop going.
+// parity and constraints forbid it, does not keep the loop going.  Smoothing lengthens a few edges
+// beyond the limit again, so that after it a few faces would be cut in each of some twenty passes
+// over the whole mesh: where few are left they are cut without.
 inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& marking,
                                     std::size_t max_passes)
 {
+  constexpr std::size_t few = 100; // one face in so many
   for(std::size_t pass = 0; pass < max_passes; ++pass) {
     Phase_scope phase(s, "refinement");
-    if(refine_once(s, marking) == 0) break;
+    const std::size_t cut = refine_once(s, marking);
+    if(cut == 0) break;
     ++s.iterations;
     set_floors(s);
-    smooth(s, 3);
+    if(few * cut >= std::size_t(s.mesh.number_of_faces())) smooth(s, 3);
   }
   clear_floors(s);
   smooth(s, 5);
@@ -78,11 +82,15 @@ inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& 
 // twice, so this ends by construction like all else.
 inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance, int rounds)
 {
+  const double fine = s.smoothing.wake;
+  s.smoothing.wake = 0.01; // all this will move again
   s.stir_all();
   for(int round = 0; round < rounds; ++round) {
     o.tolerance = tolerance * (rounds - round) / rounds;
-    clean_up_stirred(s, o, 2, 4);
+    clean_up_stirred(s, o, 2, 2);
   }
+  s.smoothing.wake = fine;
+  s.disturb_all();
 }
 
 // Rounds of clean-up against the final sizes, with smoothing that presses the last faces below

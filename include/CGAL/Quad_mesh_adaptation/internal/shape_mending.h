@@ -89,11 +89,13 @@ private:
 // above its size that was not.
 inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int max_rounds)
 {
+  if(faces_to_mend(s, shape_floor).empty()) return;
   Phase_scope phase(s, "clean-up");
   const Smoothing_weights gentle = s.smoothing;
   const Energy_weights energy = s.energy;
   Improvement_options mending = o;
   mending.keep_within_size = true;
+  mending.valence_gain = -1e9; // swaps for the sake of shapes, too
   s.smoothing.keep_within_size = true;
   Split_keeper keeper(s);
   for(int round = 0; round < max_rounds; ++round) {

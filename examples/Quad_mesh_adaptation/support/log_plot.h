@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef QUAD_MESH_ADAPTATION_EXAMPLES_CONVERGENCE_PLOT_H
-#define QUAD_MESH_ADAPTATION_EXAMPLES_CONVERGENCE_PLOT_H
+#ifndef QUAD_MESH_ADAPTATION_EXAMPLES_LOG_PLOT_H
+#define QUAD_MESH_ADAPTATION_EXAMPLES_LOG_PLOT_H
 
 #include <algorithm>
 #include <cmath>
@@ -10,26 +10,30 @@
 #include <string>
 #include <vector>
 
-/// Errors against numbers of nodes on two logarithmic axes, as SVG.
-class Convergence_plot
+/// Curves on two logarithmic axes, as SVG.
+class Log_plot
 {
 public:
   struct Curve
   {
     std::string name, colour;
-    std::vector<double> nodes, error; // error as a share
+    std::vector<double> x, y;
     bool is_dashed = false;
   };
 
   std::string title, x_title, y_title;
   std::vector<Curve> curves;
+  bool is_percent = false;        ///< y is a share, written in percent
+  bool has_legend_beside = false; ///< instead of inside, at the top on the right
 
   std::string svg() const
   {
-    const Range x = range(&Curve::nodes), y = range(&Curve::error);
-    std::string s = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"460\" "
-                    "viewBox=\"0 0 640 460\" font-family=\"sans-serif\" font-size=\"13\">\n"
-                    "<rect width=\"640\" height=\"460\" fill=\"white\"/>\n";
+    const Range x = range(&Curve::x), y = range(&Curve::y);
+    const std::string width = has_legend_beside ? "880" : "640";
+    std::string s = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width +
+                    "\" height=\"460\" viewBox=\"0 0 " + width +
+                    " 460\" font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"" + width +
+                    "\" height=\"460\" fill=\"white\"/>\n";
     s += text(320, 26, "middle", title, "font-size=\"16\"");
     s += text(0.5 * (left + right), 448, "middle", x_title);
     s += text(0, 0, "middle", y_title, "transform=\"translate(18 225) rotate(-90)\"");
@@ -39,9 +43,11 @@ public:
     }
     for(double tick : ticks(y)) {
       const double at = along(y, tick, bottom, top);
-      s += line(left, at, right, at) + text(left - 8, at + 4, "end", number(100 * tick) + " %");
+      s += line(left, at, right, at) +
+           text(left - 8, at + 4, "end", is_percent ? number(100 * tick) + " %" : number(tick));
     }
-    for(std::size_t i = 0; i < curves.size(); ++i) s += drawn(curves[i], x, y, 60 + 20. * i);
+    for(std::size_t i = 0; i < curves.size(); ++i)
+      s += drawn(curves[i], x, y, 60 + 20. * double(i));
     return s + "</svg>\n";
   }
 
@@ -59,12 +65,13 @@ private:
       for(double v : c.*values) r = { (std::min)(r.low, v), (std::max)(r.high, v) };
     return { r.low / 1.25, r.high * 1.25 };
   }
-  // 1, 2 and 5 times the powers of ten.
+  // 1, 2 and 5 times the powers of ten; of a wide range the powers only.
   static std::vector<double> ticks(const Range& r)
   {
     std::vector<double> found;
     for(int power = -9; power <= 9; ++power)
       for(double digit : { 1., 2., 5. }) {
+        if(digit > 1 && r.high > 500 * r.low) break;
         const double tick = digit * std::pow(10., power);
         if(tick >= r.low && tick <= r.high) found.push_back(tick);
       }
@@ -92,8 +99,9 @@ private:
            "\" stroke=\"#ddd\" fill=\"none\"/>\n";
   }
 
-  static std::string drawn(const Curve& c, const Range& x, const Range& y, double legend)
+  std::string drawn(const Curve& c, const Range& x, const Range& y, double legend) const
   {
+    const double edge = has_legend_beside ? right + 275 : right;
     const std::string style = " stroke=\"" + c.colour + "\" stroke-width=\"2\"" +
                               (c.is_dashed ? " stroke-dasharray=\"6 4\"" : "");
     std::string path, dots;
@@ -101,17 +109,16 @@ private:
       dots += "<circle cx=\"" + number(at_x) + "\" cy=\"" + number(at_y) + "\" r=\"4\" fill=\"" +
               c.colour + "\"/>\n";
     };
-    for(std::size_t i = 0; i < c.nodes.size(); ++i) {
-      const double at_x = along(x, c.nodes[i], left, right),
-                   at_y = along(y, c.error[i], bottom, top);
+    for(std::size_t i = 0; i < c.x.size(); ++i) {
+      const double at_x = along(x, c.x[i], left, right), at_y = along(y, c.y[i], bottom, top);
       path += (i == 0 ? "M" : "L") + number(at_x) + " " + number(at_y);
       dot(at_x, at_y);
     }
-    dot(right - 235, legend);
+    dot(edge - 235, legend);
     return "<path d=\"" + path + "\" fill=\"none\"" + style + "/>\n<path d=\"M" +
-           number(right - 255) + " " + number(legend) + "h40\" fill=\"none\"" + style + "/>\n" +
-           dots + text(right - 205, legend + 4, "start", c.name);
+           number(edge - 255) + " " + number(legend) + "h40\" fill=\"none\"" + style + "/>\n" +
+           dots + text(edge - 205, legend + 4, "start", c.name);
   }
 };
 
-#endif // QUAD_MESH_ADAPTATION_EXAMPLES_CONVERGENCE_PLOT_H
+#endif // QUAD_MESH_ADAPTATION_EXAMPLES_LOG_PLOT_H

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUAD_MESH_ADAPTATION_BENCHMARK_SPEED_OUR_TASKS_H
+#define QUAD_MESH_ADAPTATION_BENCHMARK_SPEED_OUR_TASKS_H
+
+#include "process.h"
+#include "shapes.h"
+
+#include <CGAL/Quad_mesh_adaptation/coarsen.h>
+#include <CGAL/Quad_mesh_adaptation/refine.h>
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+// The package's own calls.
+namespace speed {
+
+using CGAL::Quad_mesh_adaptation::Adaptation_report;
+
+using Call = std::function<Adaptation_report(const Sizing&, Mesh&)>;
+
+/// The call on a copy of the mesh, timed.
+inline Outcome timed(const Call& call, const Sizing& size, Mesh& mesh)
+{
+  Outcome o;
+  o.faces_in = double(mesh.number_of_faces());
+  const Stopwatch watch;
+  const Adaptation_report report = call(size, mesh);
+  o.cpu = watch.cpu();
+  o.wall = watch.wall();
+  if(!report.has_valid_mesh()) throw std::runtime_error(report.message);
+  o.faces_out = double(mesh.number_of_faces());
+  o.phases = report.times;
+  return o;
+}
+
+inline std::function<Outcome()> on_mesh(Mesh mesh, Sizing size, Call call)
+{
+  const auto input = std::make_shared<Mesh>(std::move(mesh));
+  return [=] { return timed(call, size, *input); };
+}
+
+inline Adaptation_report adapt(const Sizing& size, Mesh& mesh)
+{
+  return CGAL::Quad_mesh_adaptation::adapt_quad_mesh(size, mesh);
+}
+
+inline Task refine_task(const Shape& shape, int level)
+{
+  const double faces = std::pow(10., level);
+  return { "refine", shape.name, level,
+           [=] {
+             return on_mesh(shape.coarse(), shape.graded(faces),
+                            [](const Sizing& size, Mesh& mesh) {
+                              return CGAL::Quad_mesh_adaptation::refine(size, mesh);
+                            });
+           },
+           true };
+}
+
+inline Task adapt_task(const Shape& shape, int level)
+{
+  const double faces = std::pow(10., level);
+  return { "adapt", shape.name, level,
+           [=] { return on_mesh(shape.to_adapt(faces), shape.graded(faces), adapt); }, true };
+}
+
+/// The same without use of symmetry.
+inline Task adapt_whole_task(const Shape& shape, int level)
+{
+  Task task = adapt_task(shape, level);
+  const double faces = std::pow(10., level);
+  task.what = "adapt whole";
+  task.prepare = [=] {
+    return on_mesh(shape.to_adapt(faces), shape.graded(faces), [](const Sizing& size, Mesh& mesh) {
+      return CGAL::Quad_mesh_adaptation::adapt_quad_mesh(
+          size, mesh, CGAL::Quad_mesh_adaptation::symmetry(false));
+    });
+  };
+  return task;
+}
+
+/// To edges `factor` times longer.
+inline Task coarsen_task(const std::string& what, const Shape& shape, int level, double factor)
+{
+  const double faces = std::pow(10., level);
+  return { what, shape.name, level,
+           [=] {
+             Mesh mesh = shape.of_faces(faces);
+             const double length = factor * std::sqrt(area(mesh) / double(mesh.number_of_faces()));
+             return on_mesh(
+                 std::move(mesh), [length](const Point&) { return length; },
+                 [](const Sizing& size, Mesh& m) {
+                   return CGAL::Quad_mesh_adaptation::coarsen(size, m);
+                 });
+           },
+           true };
+}
+
+/// Half the size about a point, in a ball that holds a hundredth of the faces of the mesh.
+inline Sizing with_small_change(const Mesh& mesh, const Sizing& size)
+{
+  const Point centre = mesh.point(*(mesh.vertices_begin() + mesh.number_of_vertices() / 3));
+  std::vector<double> distances;
+  for(auto v : mesh.vertices()) distances.push_back(CGAL::squared_distance(centre, mesh.point(v)));
+  const auto hundredth = distances.begin() + long(distances.size() / 100);
+  std::nth_element(distances.begin(), hundredth, distances.end());
+  const double radius2 = *hundredth;
+  return [=](const Point& p) {
+    return size(p) * (CGAL::squared_distance(centre, p) < radius2 ? 0.5 : 1.);
+  };
+}
+
+/// An adapted mesh to sizes that differ in a small place.
+inline Task small_change_task(const Shape& shape, int level)
+{
+  const double faces = std::pow(10., level);
+  // adapted once for all repetitions
+  const auto adapted = std::make_shared<std::optional<Mesh>>();
+  return { "small change", shape.name, level, [=] {
+            const Sizing size = shape.graded(faces);
+            if(!*adapted) {
+              Mesh mesh = shape.to_adapt(faces);
+              adapt(size, mesh);
+              mesh.collect_garbage();
+              *adapted = std::move(mesh);
+            }
+            return on_mesh(**adapted, with_small_change(**adapted, size), adapt);
+          } };
+}
+
+} // namespace speed
+
+#endif // QUAD_MESH_ADAPTATION_BENCHMARK_SPEED_OUR_TASKS_H
