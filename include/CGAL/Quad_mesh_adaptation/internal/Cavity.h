@@ -143,6 +143,9 @@ public:
   // ratio.
   double worst_before() const;
   double worst_after() const;
+  // Does no face fall below `least`, or below the worst there was, and is as much of the surface
+  // covered as before?
+  bool keeps_shape(double least) const;
   double largest_before() const;
   double largest_after() const;
 
@@ -161,6 +164,7 @@ private:
   bool umbrellas_whole();
   bool same_pairs(int n) const;
   bool curves_in_order() const;
+  bool keeps_surface_covered() const;
   bool has_parallel_edge() const;
   void count_corners();
   int limit_of(std::size_t n) const;

@@ -99,7 +99,7 @@ private:
     }
     const double change = c.energy_after() - c.energy_before();
     if(!(change < to_beat)) return change;
-    if(c.worst_after() < (std::min)(options_.min_jacobian, c.worst_before())) return refused;
+    if(!c.keeps_shape(options_.min_jacobian)) return refused;
     if(options_.keep_within_size &&
        c.largest_after() > (std::max)(s_.energy.tolerated, c.largest_before()))
       return refused;

@@ -71,6 +71,31 @@ inline double Cavity::worst_after() const
   return worst;
 }
 
+inline bool Cavity::keeps_shape(double least) const
+{
+  const double before = worst_before();
+  return worst_after() >= (std::min)(least, before) && (before >= least || keeps_surface_covered());
+}
+
+// Where faces turned away from the surface already, pulling the rim of a thin wall inward makes
+// faces go without making others larger or worse.  That looks like a gain as long as nobody asks
+// whether the surface is still covered: by the area of the faces as far as they face the way it
+// does.
+inline bool Cavity::keeps_surface_covered() const
+{
+  double before = 0, after = 0, least = 1;
+  const auto covering = [&](const Corners& p, const Facing& reference) {
+    const Vec a = area_vector(p);
+    const double cosine = reference.mean_cosine(normalized(a));
+    least = (std::min)(least, following(cosine));
+    return norm(a) * (std::max)(cosine, 0.);
+  };
+  for(Index f : old_faces) before += covering(s_.corners(f), s_.reference_normal(f));
+  if(least > 0.2) return true;
+  for(const Cavity_quad& q : quads) after += covering(corners_of(q), reference_of(q));
+  return after > 0.95 * before;
+}
+
 // Nodes next to each other on a curve are in the order they had, new ones between their neighbours.
 inline bool Cavity::curves_in_order() const
 {

@@ -104,10 +104,7 @@ private:
     return cavity_.energy_after() - cavity_.energy_before();
   }
 
-  bool is_well_shaped() const
-  {
-    return cavity_.worst_after() >= (std::min)(min_jacobian_, cavity_.worst_before());
-  }
+  bool is_well_shaped() const { return cavity_.keeps_shape(min_jacobian_); }
 
   Adaptation_state& s_;
   Cavity cavity_;

@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Node_relaxation.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +38,31 @@ inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& st
   } while(h >= 0 && h != start);
 }
 
+// Has the move of node v from `old` uncovered the surface where a face is turned away from it?  The
+// rim of a thin wall slides inward like that where no feature holds it.
+inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_record& old)
+{
+  constexpr double enough = 0.27; // of the mean cosine between normals of face and surface
+  if(s.surface.is_planar()) return false;
+  const Vertex_record& r = s.mesh.vertex(v);
+  double before = 0, now = 0, least = 1;
+  Index h = r.halfedge;
+  do {
+    Corners p = s.corners(s.mesh.face(h));
+    Facing reference = s.reference_normal(s.mesh.face(h));
+    const Vec a = area_vector(p);
+    const double cosine = reference.mean_cosine(normalized(a));
+    least = (std::min)(least, cosine);
+    now += norm(a) * (std::max)(cosine, 0.);
+    p[h & 3] = old.p;
+    reference.sum = reference.sum - r.normal + old.normal;
+    const Vec b = area_vector(p);
+    before += norm(b) * (std::max)(reference.mean_cosine(normalized(b)), 0.);
+    h = s.mesh.turn_left(h);
+  } while(h >= 0 && h != r.halfedge);
+  return least < enough && now < (1 - 1e-6) * before;
+}
+
 // Moves node v to a better place on its carrier; tells whether it moved far enough for its
 // neighbours to notice.
 inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
@@ -46,7 +72,7 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
   gather_star(s, v, relax.star());
   const Vertex_record old = r;
   if(!relax(r)) return false;
-  if(!is_order_kept(s, v, old)) {
+  if(!is_order_kept(s, v, old) || loses_surface(s, v, old)) {
     r = old;
     return false;
   }
