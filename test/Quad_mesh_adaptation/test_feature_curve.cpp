@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Quad_mesh_adaptation/internal/Feature_curve.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <gtest/gtest.h>
 
@@ -123,4 +123,18 @@ TEST(Feature_curve, RepeatedPoints)
     EXPECT_EQ(c.nearest(Vec(s, 1, 0)), s);
     EXPECT_EQ(c.tangent(s), Vec(1, 0, 0));
   }
+}
+
+// A node may come near a corner, little by little, but not on it.
+TEST(Feature_curve, NodesKeepClearOfTheEnds)
+{
+  using CGAL::Quad_mesh_adaptation::internal::is_clear_of_ends;
+  const Feature_curve c = open_curve(); // of length 19
+  EXPECT_TRUE(is_clear_of_ends(c, 5, 1));
+  EXPECT_TRUE(is_clear_of_ends(c, 0.1, 0.05)) << "however near it is already";
+  EXPECT_TRUE(is_clear_of_ends(c, 0.1, 18));
+  EXPECT_FALSE(is_clear_of_ends(c, 5, 0));
+  EXPECT_FALSE(is_clear_of_ends(c, 5, 19));
+  EXPECT_FALSE(is_clear_of_ends(c, 5, 19 - 1e-9));
+  EXPECT_TRUE(is_clear_of_ends(square(), 5, 0)) << "a closed curve has none";
 }

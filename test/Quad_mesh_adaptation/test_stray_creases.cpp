@@ -62,6 +62,19 @@ std::size_t edges_turning(const Adaptation_state& s, double degrees)
   return count;
 }
 
+Adaptation_state with_reference(const Shape& shape, const Shape& surface)
+{
+  core::Triangle_soup soup;
+  soup.points = surface.points;
+  for(const core::Quad& q : surface.quads) core::append_quad(soup, q);
+  core::Geometry_options geometry;
+  geometry.reference = &soup;
+  Adaptation_state s;
+  s.size = core::Size_sampler([](const Vec&) { return 1.; }, 1);
+  core::State_builder(input_of(shape, Options()), core::Feature_options(), s)(geometry);
+  return s;
+}
+
 } // namespace
 
 TEST(Stray_creases, ASharpOneThatEndsOnTheSurfaceStays)
@@ -111,4 +124,27 @@ TEST(Stray_creases, ClosedNetworksStay)
                       { 2, 3, 7, 6 },
                       { 3, 0, 4, 7 } } };
   EXPECT_EQ(inner_feature_edges(make_state(cube, at(50))), 12u);
+}
+
+// A few faces about a sphere turn by more than the feature angle everywhere; where the sphere
+// itself is given it is known better.
+TEST(Stray_creases, NoneWhereTheReferenceHasNone)
+{
+  const Shape coarse = shape_zoo::sphere(1);
+  ASSERT_EQ(inner_feature_edges(make_state(coarse, at(50))), 12u);
+  const Adaptation_state s = with_reference(coarse, shape_zoo::sphere(8));
+  EXPECT_EQ(inner_feature_edges(s), 0u);
+  EXPECT_TRUE(s.curves.empty());
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    EXPECT_EQ(s.mesh.vertex(v).carrier, Carrier::surface);
+}
+
+TEST(Stray_creases, ThoseOfTheReferenceStay)
+{
+  const Shape coarse = shape_zoo::cube(1), fine = shape_zoo::cube(4);
+  Shape unit = fine;
+  for(Vec& p : unit.points) p = p / 4;
+  const Adaptation_state s = with_reference(coarse, unit);
+  EXPECT_EQ(inner_feature_edges(s), 12u);
+  EXPECT_EQ(s.curves.size(), 12u);
 }

@@ -112,7 +112,8 @@ Named_function_parameters<double, feature_angle_t, NP> feature_angle(double degr
 /// A finer surface (any `FaceListGraph` of triangles, quads or polygons with the internal
 /// `vertex_point` map) to stay on.  Its border curves replace those of the input, and so do its
 /// creases (edges at or above `feature_angle()`) where a feature curve of the input runs along them
-/// within half an edge; corners move to the ends of those curves.  Default: the input.
+/// within half an edge; corners move to the ends of those curves.  Creases detected on the input
+/// where the surface has none are no feature curves.  Default: the input.
 template <typename SurfaceMesh>
 Named_function_parameters<std::reference_wrapper<const SurfaceMesh>, reference_surface_t>
 reference_surface(const SurfaceMesh& surface)

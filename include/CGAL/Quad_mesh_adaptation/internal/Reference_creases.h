@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <queue>
@@ -107,6 +108,16 @@ public:
         c.difference(c.nearest(soup_.points[way[0]]), c.nearest(soup_.points[way[way.size() / 4]]));
     if(arc < 0) std::reverse(way.begin(), way.end());
     return way;
+  }
+
+  // Its edges by their ends, each once.
+  std::vector<std::array<Vec, 2>> segments() const
+  {
+    std::vector<std::array<Vec, 2>> list;
+    for(const auto& [v, ends] : next_)
+      for(Index u : ends)
+        if(v < u) list.push_back({ soup_.points[v], soup_.points[u] });
+    return list;
   }
 
 private:

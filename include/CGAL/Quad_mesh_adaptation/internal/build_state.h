@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_BUILD_STATE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Crease_lookup.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Curve_tracer.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_matcher.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +55,7 @@ public:
   void operator()(const Geometry_options& geometry = Geometry_options())
   {
     make_complex();
-    mark_features();
+    mark_features(geometry.reference);
     mark_corners();
     Curve_tracer tracer(in_, s_, geometry.smooth && !geometry.reference);
     tracer();
@@ -105,8 +107,9 @@ private:
     }
   }
 
-  // Temporarily, curve 0 on a half-edge says "feature".
-  void mark_features()
+  // Temporarily, curve 0 on a half-edge says "feature".  A separate reference knows where creases
+  // are: the edges of a coarse mesh of it turn by more than it does.
+  void mark_features(const Triangle_soup* reference)
   {
     Quad_complex& m = s_.mesh;
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
@@ -116,9 +119,13 @@ private:
       if(feature) m.set_curve(h, 0);
     }
     if(off_) return;
+    std::optional<Reference_creases> creases;
+    std::optional<Crease_lookup> known;
+    if(reference) known.emplace(creases.emplace(*reference, cos_, off_));
     std::vector<char> detected(4 * std::size_t(m.face_end()), 0);
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
       if(m.curve(h) >= 0 || !turns_across(h)) continue;
+      if(known && !known->runs_along(m.point(m.origin(h)), m.point(m.target(h)))) continue;
       m.set_curve(h, 0);
       detected[h] = detected[m.opposite(h)] = 1;
     }

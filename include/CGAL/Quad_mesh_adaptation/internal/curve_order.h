@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 
+#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -37,15 +38,26 @@ inline bool is_order_kept(const Feature_curve& c, double u_before, double v_befo
   return c.difference(u_before, v_before) * c.difference(u, v) > 0;
 }
 
+// A node pushed against the corner at the end of its curve would stop right on it, and an edge
+// without length is nothing that another move or a later call can mend.
+inline bool is_clear_of_ends(const Feature_curve& c, double before, double now)
+{
+  if(c.is_closed()) return true;
+  const double gap = (std::min)(now, c.length() - now);
+  return gap > 0.1 * (std::min)(before, c.length() - before);
+}
+
 // The same for vertex v, which has moved from `before`, and its neighbours.
 inline bool is_order_kept(const Adaptation_state& s, Index v, const Vertex_record& before)
 {
   if(before.carrier != Carrier::curve) return true;
+  const Feature_curve& c = s.curves[before.curve];
+  const double here = s.mesh.vertex(v).param;
+  if(!is_clear_of_ends(c, before.param, here)) return false;
   for(Index n : curve_neighbours(s.mesh, v, before.curve)) {
     if(n < 0 || s.mesh.vertex(n).carrier != Carrier::curve) continue; // none passes a corner
     const double there = s.mesh.vertex(n).param;
-    if(!is_order_kept(s.curves[before.curve], before.param, there, s.mesh.vertex(v).param, there))
-      return false;
+    if(!is_order_kept(c, before.param, there, here, there)) return false;
   }
   return true;
 }

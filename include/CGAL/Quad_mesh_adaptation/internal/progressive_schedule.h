@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -114,8 +115,7 @@ inline bool is_good(const Adaptation_state& s)
   const Quad_complex& m = s.mesh;
   if(!faces_too_large(s).empty()) return false;
   for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f) && s.face_quality(s.corners(f), s.reference_normal(f)) < s.smoothing.min_corner)
-      return false;
+    if(m.is_face(f) && scaled_jacobian(s.corners(f)) < s.smoothing.min_corner) return false;
   for(Index v = 0; v < m.vertex_end(); ++v)
     if(m.is_vertex(v) && m.vertex(v).carrier == Carrier::surface &&
        (m.vertex(v).faces < 3 || m.vertex(v).faces > 5))
@@ -126,31 +126,37 @@ inline bool is_good(const Adaptation_state& s)
 // Is there nothing to do?
 inline bool is_adapted(const Adaptation_state& s) { return is_good(s) && !is_too_fine(s); }
 
-// A mesh that was good may come out no better, because its sizes leave no more to gain; then it
-// is left as it was, so that adapting an adapted mesh again changes nothing.
-class Good_mesh_keeper
+// The energy of a good mesh must fall below this share for the mesh to be changed.
+constexpr double worth_a_change = 0.92;
+
+// Remembers the mesh as it is, to go back to it where what follows is not worth while.
+class Mesh_keeper
 {
 public:
-  explicit Good_mesh_keeper(Adaptation_state& s) : s_(s)
+  explicit Mesh_keeper(Adaptation_state& s)
+      : s_(s), mesh_(s.mesh), operations_(s.operations), iterations_(s.iterations),
+        energy_(s.total_energy()), too_large_(faces_too_large(s).size())
   {
-    if(!is_good(s)) return;
-    mesh_ = s.mesh;
-    energy_ = s.total_energy();
   }
 
-  void restore_unless_better()
+  // Unless the energy is less than `share` of what it was, with no face more above its size, all is
+  // as it was.
+  void restore_unless_better(double share)
   {
-    if(!mesh_ || s_.total_energy() < 0.96 * energy_) return;
-    s_.mesh = std::move(*mesh_);
+    if(s_.total_energy() < share * energy_ && faces_too_large(s_).size() <= too_large_) return;
+    s_.mesh = std::move(mesh_);
     s_.forget_faces();
-    s_.operations.clear();
-    s_.iterations = 0;
+    s_.operations = std::move(operations_);
+    s_.iterations = iterations_;
   }
 
 private:
   Adaptation_state& s_;
-  std::optional<Quad_complex> mesh_;
-  double energy_ = 0;
+  Quad_complex mesh_;
+  std::vector<std::pair<const char*, std::size_t>> operations_;
+  std::size_t iterations_;
+  double energy_;
+  std::size_t too_large_;
 };
 
 // The default schedule.
@@ -158,7 +164,10 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
                                  const Schedule_ingredients& use = {})
 {
   if(is_adapted(s)) return;
-  Good_mesh_keeper keeper(s);
+  // a mesh that was good may come out no better, because its sizes leave no more to gain; then it
+  // is left as it was, so that adapting an adapted mesh again changes nothing
+  std::optional<Mesh_keeper> input;
+  if(is_good(s)) input.emplace(s);
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   smooth(s, 2);
@@ -178,7 +187,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(use.local_operations) polish(s, clean, 5);
   s.progress = 0.9;
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
-  keeper.restore_unless_better();
+  if(input) input->restore_unless_better(worth_a_change);
   s.progress = 1;
 }
 
