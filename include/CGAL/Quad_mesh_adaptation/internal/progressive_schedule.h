@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
@@ -11,8 +12,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -129,34 +128,29 @@ inline bool is_adapted(const Adaptation_state& s) { return is_good(s) && !is_too
 // The energy of a good mesh must fall below this share for the mesh to be changed.
 constexpr double worth_a_change = 0.92;
 
-// Remembers the mesh as it is, to go back to it where what follows is not worth while.
-class Mesh_keeper
+// A mesh that was good may come out no better, because its sizes leave no more to gain; then it is
+// left as it was, so that adapting an adapted mesh again changes nothing.
+class Good_mesh_keeper
 {
 public:
-  explicit Mesh_keeper(Adaptation_state& s)
-      : s_(s), mesh_(s.mesh), operations_(s.operations), iterations_(s.iterations),
-        energy_(s.total_energy()), too_large_(faces_too_large(s).size())
+  explicit Good_mesh_keeper(Adaptation_state& s) : s_(s)
   {
+    if(!is_good(s)) return;
+    mesh_.emplace(s);
+    energy_ = s.total_energy();
   }
 
-  // Unless the energy is less than `share` of what it was, with no face more above its size, all is
-  // as it was.
-  void restore_unless_better(double share)
+  void restore_unless_better()
   {
-    if(s_.total_energy() < share * energy_ && faces_too_large(s_).size() <= too_large_) return;
-    s_.mesh = std::move(mesh_);
-    s_.forget_faces();
-    s_.operations = std::move(operations_);
-    s_.iterations = iterations_;
+    if(!mesh_) return;
+    const bool better = s_.total_energy() < worth_a_change * energy_;
+    if(!better || !faces_too_large(s_).empty()) mesh_->restore();
   }
 
 private:
   Adaptation_state& s_;
-  Quad_complex mesh_;
-  std::vector<std::pair<const char*, std::size_t>> operations_;
-  std::size_t iterations_;
-  double energy_;
-  std::size_t too_large_;
+  std::optional<Mesh_keeper> mesh_;
+  double energy_ = 0;
 };
 
 // The default schedule.
@@ -164,10 +158,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
                                  const Schedule_ingredients& use = {})
 {
   if(is_adapted(s)) return;
-  // a mesh that was good may come out no better, because its sizes leave no more to gain; then it
-  // is left as it was, so that adapting an adapted mesh again changes nothing
-  std::optional<Mesh_keeper> input;
-  if(is_good(s)) input.emplace(s);
+  Good_mesh_keeper input(s);
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   smooth(s, 2);
@@ -187,7 +178,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(use.local_operations) polish(s, clean, 5);
   s.progress = 0.9;
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
-  if(input) input->restore_unless_better(worth_a_change);
+  input.restore_unless_better();
   s.progress = 1;
 }
 

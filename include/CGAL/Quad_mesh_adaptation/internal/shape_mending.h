@@ -4,12 +4,12 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SHAPE_MENDING_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SHAPE_MENDING_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,30 +57,28 @@ inline double shape_faults(const Adaptation_state& s)
 }
 
 // Splits for more freedom may leave more wrong than there was; then they are taken back.
-class Split_keeper
+class Mending_splits
 {
 public:
-  explicit Split_keeper(Adaptation_state& s) : s_(s) {}
+  explicit Mending_splits(Adaptation_state& s) : s_(s) {}
 
-  void remember()
+  void operator()()
   {
-    if(mesh_) return;
-    mesh_ = s_.mesh;
-    faults_ = shape_faults(s_);
+    if(!before_) {
+      before_.emplace(s_);
+      faults_ = shape_faults(s_);
+    }
+    split_too_large(s_, faces_to_mend(s_, 0.5));
   }
 
-  void restore_unless_better()
+  void take_back_unless_better()
   {
-    if(!mesh_ || shape_faults(s_) < faults_) return;
-    s_.mesh = std::move(*mesh_);
-    s_.forget_faces();
-    s_.disturb_all();
-    s_.stir_all();
+    if(before_ && shape_faults(s_) >= faults_) before_->restore();
   }
 
 private:
   Adaptation_state& s_;
-  std::optional<Quad_complex> mesh_; // before the first split
+  std::optional<Mesh_keeper> before_; // the first
   double faults_ = 0;
 };
 
@@ -97,7 +95,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   mending.keep_within_size = true;
   mending.valence_gain = -1e9; // swaps for the sake of shapes, too
   s.smoothing.keep_within_size = true;
-  Split_keeper keeper(s);
+  Mending_splits split(s);
   for(int round = 0; round < max_rounds; ++round) {
     const std::vector<Index> bad = faces_to_mend(s, shape_floor);
     if(bad.empty()) break;
@@ -106,10 +104,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
     s.energy.valence = (std::min)(2 * s.energy.valence, 4 * energy.valence);
     s.smoothing.size *= 0.5;
     s.forget_energies();
-    if(round % 4 == 3) {
-      keeper.remember();
-      split_too_large(s, faces_to_mend(s, 0.5)); // for more freedom
-    }
+    if(round % 4 == 3) split();
     smooth_near(s, faces_to_mend(s, shape_floor));
     mending.tolerance = round % 3 == 1 ? 1.5 : 0; // to get past what keeps it bad
     s.stirred = nodes_around(s, faces_to_mend(s, shape_floor), 2);
@@ -121,7 +116,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   s.energy = energy;
   s.forget_energies();
   settle(s, o, 2);
-  keeper.restore_unless_better();
+  split.take_back_unless_better();
 }
 
 // The last resorts in turn: sizes first, then shapes, again where one has undone the other.

@@ -4,10 +4,12 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_GUARANTEE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_GUARANTEE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -134,6 +136,48 @@ inline void split_and_clean(Adaptation_state& s, const Improvement_options& o,
   Local_improvement(s, careful).passes(4);
 }
 
+// By how much faces are too large in all, of those that can be helped.
+inline double size_excess(const Adaptation_state& s)
+{
+  double sum = 0;
+  for(Index f : faces_to_press(s)) sum += s.size_ratio(f) - 1;
+  return sum;
+}
+
+// Splits that help are kept.  Where faces lie folded over each other, or the sizes can not be met
+// for another reason, splits only make more faces that are too large; so the second in a row after
+// which no fewer are is the last, and the mesh goes back to the best one there was.
+class Bounded_splits
+{
+public:
+  explicit Bounded_splits(Adaptation_state& s) : s_(s) {}
+
+  // false: no more.
+  bool operator()(const Improvement_options& o, const std::vector<Index>& large)
+  {
+    const double excess = size_excess(s_);
+    in_vain_ = best_ && excess >= least_ ? in_vain_ + 1 : 0;
+    if(in_vain_ == 2) return false;
+    if(in_vain_ == 0) {
+      best_.emplace(s_);
+      least_ = excess;
+    }
+    split_and_clean(s_, o, large);
+    return true;
+  }
+
+  void end()
+  {
+    if(best_ && size_excess(s_) >= least_) best_->restore();
+  }
+
+private:
+  Adaptation_state& s_;
+  std::optional<Mesh_keeper> best_;
+  double least_ = 0;
+  int in_vain_ = 0;
+};
+
 // Until no face is larger than wanted, or `max_rounds`: pressure that grows from round to round,
 // splits where that does not help.  Returns the number of faces left too large.
 inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options& o, int max_rounds)
@@ -145,9 +189,10 @@ inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options&
   pressed.min_jacobian = 0.35;
   std::vector<Index> large = faces_to_press(s);
   double weight = 2;
+  Bounded_splits split(s);
   for(int round = 0; round < max_rounds && !large.empty(); ++round, weight *= 1.7) {
     s.check_cancelled();
-    if(round % 4 == 2 && round > 2) split_and_clean(s, o, large);
+    if(round % 4 == 2 && round > 2 && !split(o, large)) break;
     s.smoothing.min_corner = 0.3;
     s.smoothing.hinge = 2000 * (std::min)(weight, 20.);
     s.energy.oversize = energy.oversize * (std::min)(weight, 100.);
@@ -159,6 +204,7 @@ inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options&
     s.forget_energies();
     large = faces_to_press(s);
   }
+  split.end();
   s.smoothing.hinge = 2000;
   settle(s, o, 3);
   s.smoothing = gentle;
