@@ -59,6 +59,7 @@ struct Adaptation_state
 
   std::vector<std::pair<const char*, std::size_t>> operations; // how often each was committed
   std::vector<float> energy_cache;                             // per face, NaN where not known
+  mutable std::vector<double> ratio_cache;                     // likewise, see size_ratio()
   std::vector<float> factor_cache;                             // likewise, see size_factor()
   std::vector<std::uint8_t> factor_age;                        // moves of its corners since then
   std::function<void(double)> report_progress = [](double) {}; // throws Cancelled
@@ -173,28 +174,49 @@ struct Adaptation_state
   void face_moved(Index f)
   {
     if(f < Index(energy_cache.size())) energy_cache[f] = unknown;
+    if(f < Index(ratio_cache.size())) ratio_cache[f] = unknown;
     if(f < Index(factor_age.size()) && factor_age[f] < 255) ++factor_age[f];
   }
   // Face f is another one now.
   void face_replaced(Index f)
   {
     if(f < Index(energy_cache.size())) energy_cache[f] = unknown;
+    if(f < Index(ratio_cache.size())) ratio_cache[f] = unknown;
     if(f < Index(factor_cache.size())) factor_cache[f] = unknown;
   }
   void forget_energies() { energy_cache.clear(); }
-  void forget_faces()
+  void forget_sizes()
   {
     energy_cache.clear();
+    ratio_cache.clear();
+  }
+  void forget_faces()
+  {
+    forget_sizes();
     factor_cache.clear();
     factor_age.clear();
   }
   static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-  // Size ratio of eq. 3, in the sampling in use, against the final size.
+  // Size ratio of eq. 3, in the sampling in use, against the size without floors.
   double size_ratio(Index f) const
   {
-    const Corners p = corners(f);
-    return mean_edge_length(p) / size.at_face(p);
+    if(f >= Index(ratio_cache.size())) ratio_cache.resize(mesh.face_end(), unknown);
+    if(std::isnan(ratio_cache[f])) {
+      const Corners p = corners(f);
+      ratio_cache[f] = mean_edge_length(p) / size.at_face(p);
+    }
+    return ratio_cache[f];
+  }
+
+  // From now on everything works against `factor` times the sizes of now.
+  void scale_sizes(double factor)
+  {
+    size.scale_by(factor * size.scale());
+    for(Index v = 0; v < mesh.vertex_end(); ++v) mesh.vertex(v).h *= factor;
+    forget_sizes();
+    disturb_all();
+    stir_all();
   }
 
   // Does the face turn away from the direction it should show?

@@ -78,7 +78,7 @@ private:
   {
     for(Index v = 0; v < s_.mesh.vertex_end(); ++v)
       if(s_.mesh.is_vertex(v)) s_.mesh.vertex(v).h = s_.size.at(s_.mesh.point(v));
-    s_.forget_energies();
+    s_.forget_sizes();
     s_.disturb_all();
   }
 

@@ -78,6 +78,10 @@ public:
     return line_search(r, dofs, step, before);
   }
 
+  // The worst corner of the star after the last move, or how its faces follow the surface where
+  // that is less.
+  double worst() const { return worst_; }
+
   double objective(const Vertex_record& r) const { return evaluate(r).value; }
 
 private:
@@ -310,7 +314,7 @@ private:
     return std::isfinite(step[0]) && std::isfinite(step[1]);
   }
 
-  bool line_search(Vertex_record& r, int dofs, const double* step, const Evaluation& before) const
+  bool line_search(Vertex_record& r, int dofs, const double* step, const Evaluation& before)
   {
     double reach = 0;
     for(const Star_face& f : star_)
@@ -334,6 +338,7 @@ private:
          (!s_.smoothing.keep_within_size ||
           largest_ratio(t.p) <= (std::max)(largest_ratio(r.p), 1.))) {
         r = t;
+        worst_ = after.worst;
         return true;
       }
     }
@@ -342,6 +347,7 @@ private:
 
   const Adaptation_state& s_;
   std::vector<Star_face> star_;
+  double worst_ = 1;
   mutable Vec t_[2];
 };
 

@@ -53,8 +53,13 @@ inline std::vector<char> even_marks(const Quad_complex& m, const std::vector<dou
     edges.push_back({ a, b, std::abs(wish[h]) });
     halfedge_of.push_back(h);
   }
+  std::vector<char> taken(m.face_end(), 0); // faces that any edge may be split of
+  for(Index h : halfedge_of) {
+    taken[m.face(h)] = 1;
+    if(m.opposite(h) >= 0) taken[m.face(m.opposite(h))] = 1;
+  }
   for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f)) {
+    if(taken[f]) {
       edges.push_back({ 2 * f, 2 * f + 1, bend });
       halfedge_of.push_back(-1);
     }
@@ -77,24 +82,28 @@ inline std::vector<char> even_marks(const Quad_complex& m, const std::vector<dou
   }
   return split;
 }
-
-// Wishes from the size: with rho = length / size at the middle, splitting changes (log rho)^2 by
+// What splitting edge h costs: negative where it is too long, infinite where it must not be split.
+// With rho = length / size at the middle, splitting changes (log rho)^2 by
 // ln 2 (ln 2 - 2 ln(rho / rho_0)).
+inline double split_wish(const Adaptation_state& s, const Marking_options& o, Index h)
+{
+  const Quad_complex& m = s.mesh;
+  const Index c = m.curve(h);
+  if(c >= 0 && s.curves[c].is_frozen()) return std::numeric_limits<double>::infinity();
+  const double ln2 = std::log(2.);
+  const Vec &a = m.point(m.origin(h)), &b = m.point(m.target(h));
+  const double rho = distance(a, b) / s.size.at(0.5 * (a + b));
+  return ln2 * (ln2 - 2 * std::log(rho / o.threshold));
+}
+
+// The same of all edges, by the lower of their half-edges.
 inline std::vector<double> split_wishes(const Adaptation_state& s, const Marking_options& o)
 {
   const Quad_complex& m = s.mesh;
-  const double ln2 = std::log(2.);
   std::vector<double> wish(4 * std::size_t(m.face_end()), 0.);
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h)) || (m.opposite(h) >= 0 && m.opposite(h) < h)) continue;
-    if(m.curve(h) >= 0 && s.curves[m.curve(h)].is_frozen()) {
-      wish[h] = std::numeric_limits<double>::infinity();
-      continue;
-    }
-    const Vec &a = m.point(m.origin(h)), &b = m.point(m.target(h));
-    const double rho = distance(a, b) / s.size.at(0.5 * (a + b));
-    wish[h] = ln2 * (ln2 - 2 * std::log(rho / o.threshold));
-  }
+  for(Index h = 0; h < 4 * m.face_end(); ++h)
+    if(m.is_face(m.face(h)) && !(m.opposite(h) >= 0 && m.opposite(h) < h))
+      wish[h] = split_wish(s, o, h);
   return wish;
 }
 

@@ -54,6 +54,9 @@ public:
     return g;
   }
 
+  // Ideal number of faces, roughly.
+  double faces() const { return faces_; }
+
 private:
   std::size_t at(int i, int j) const { return std::size_t(j) * std::size_t(cells_ + 1) + i; }
 

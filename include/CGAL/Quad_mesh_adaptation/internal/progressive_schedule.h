@@ -6,10 +6,12 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -23,6 +25,7 @@ struct Schedule_ingredients
 {
   bool coarsening = true;        // before refinement, with relaxed valences
   bool edge_marking = true;      // else faces too large are cut in four
+  bool octaves = true;           // first a mesh for sizes larger by powers of two
   bool progressive_sizes = true; // floors where the mesh is too coarse yet
   bool size_aware = true;        // smoothing knows the size
   bool local_operations = true;  // clean-up between levels, annealing and polishing
@@ -93,12 +96,12 @@ inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance,
 }
 
 // Rounds of clean-up against the final sizes, with smoothing that presses the last faces below
-// their size from the third round on.
-inline void polish(Adaptation_state& s, const Improvement_options& clean, int rounds)
+// their size after the first `gentle` ones.
+inline void polish(Adaptation_state& s, const Improvement_options& clean, int rounds, int gentle)
 {
   const double hinge = s.smoothing.hinge;
   for(int round = 0; round < rounds; ++round) {
-    if(round == 2) {
+    if(round == gentle) {
       s.smoothing.hinge = 2000;
       s.disturb_all();
     }
@@ -160,6 +163,8 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(is_adapted(s)) return;
   Good_mesh_keeper input(s);
   const Improvement_options clean;
+  int octaves = use.octaves ? octaves_above(s) : 0;
+  s.scale_sizes(std::exp2(octaves));
   if(!use.size_aware) s.smoothing.size = 0;
   smooth(s, 2);
   if(use.coarsening && is_too_fine(s)) {
@@ -175,7 +180,13 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   }
   s.progress = 0.6;
   if(use.local_operations && use.annealing) anneal(s, clean, 2.5, 10);
-  if(use.local_operations) polish(s, clean, 5);
+  if(use.local_operations) polish(s, clean, 5, 2);
+  for(; octaves > 0; --octaves) {
+    if(use.last_resorts) enforce_sizes(s, clean, 16);
+    halve_all(s);
+    refine_progressively(s, clean, max_iterations, use);
+    if(use.local_operations) polish(s, clean, 1, 0);
+  }
   s.progress = 0.9;
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
   input.restore_unless_better();

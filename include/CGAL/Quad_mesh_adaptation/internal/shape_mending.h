@@ -96,10 +96,12 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   mending.valence_gain = -1e9; // swaps for the sake of shapes, too
   s.smoothing.keep_within_size = true;
   Mending_splits split(s);
+  Touched_nodes touched(s);
   for(int round = 0; round < max_rounds; ++round) {
     const std::vector<Index> bad = faces_to_mend(s, shape_floor);
     if(bad.empty()) break;
     s.check_cancelled();
+    touched.add(bad);
     s.energy.shape = (std::min)(2 * s.energy.shape, 16 * energy.shape);
     s.energy.valence = (std::min)(2 * s.energy.valence, 4 * energy.valence);
     s.smoothing.size *= 0.5;
@@ -115,7 +117,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   s.smoothing = gentle;
   s.energy = energy;
   s.forget_energies();
-  settle(s, o, 2);
+  settle(s, o, 2, touched);
   split.take_back_unless_better();
 }
 

@@ -8,7 +8,9 @@
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -51,7 +53,7 @@ inline std::vector<char> nodes_around(const Adaptation_state& s, const std::vect
   for(Index f : faces)
     for(Index v : m.quad(f)) reach(v);
   std::vector<Index> out;
-  for(int ring = 0; ring < rings; ++ring) {
+  for(int ring = 0; ring < rings && !front.empty(); ++ring) {
     std::vector<Index> now;
     now.swap(front);
     for(Index v : now) {
@@ -64,33 +66,45 @@ inline std::vector<char> nodes_around(const Adaptation_state& s, const std::vect
 }
 
 // The last resort: faces still too large get the pair of edges that is longest against the size
-// split, wherever the T-join then leads the splits.
-inline std::size_t split_too_large(Adaptation_state& s, const std::vector<Index>& faces)
+// split, wherever the T-join then leads the splits, within `rings` rings of faces.
+inline std::size_t split_within(Adaptation_state& s, const std::vector<Index>& faces, int rings)
 {
   Marking_options o;
   o.threshold = 1.4; // others only where they are far too long
   o.bend = 0.1;
-  std::vector<double> wish = split_wishes(s, o);
   const Quad_complex& m = s.mesh;
+  const std::vector<char> near = nodes_around(s, faces, rings);
+  std::vector<double> wish(4 * std::size_t(m.face_end()), std::numeric_limits<double>::infinity());
+  const auto low = [&](Index h) {
+    const Index opposite = m.opposite(h);
+    return opposite >= 0 && opposite < h ? opposite : h;
+  };
+  for(Index h = 0; h < 4 * m.face_end(); ++h)
+    if(m.is_face(m.face(h)) && near[m.origin(h)] && near[m.target(h)] && low(h) == h)
+      wish[h] = split_wish(s, o, h);
   for(Index f : faces) {
     const auto length = [&](int i) {
       return distance(m.point(m.origin(4 * f + i)), m.point(m.target(4 * f + i)));
     };
     const int first = length(0) + length(2) >= length(1) + length(3) ? 0 : 1;
-    for(int i : { first, first + 2 }) {
-      const Index h = 4 * f + i, o2 = m.opposite(h), low = o2 >= 0 && o2 < h ? o2 : h;
-      if(std::isfinite(wish[low])) wish[low] = -20;
-    }
+    for(int i : { first, first + 2 })
+      if(std::isfinite(wish[low(4 * f + i)])) wish[low(4 * f + i)] = -20;
   }
   const std::vector<char> split = even_marks(m, wish, o.bend);
   return split.empty() ? 0 : Split_templates(s, split)();
 }
 
-inline void smooth_near(Adaptation_state& s, const std::vector<Index>& faces)
+// In the whole mesh only where the neighbourhood is too small for it.
+inline std::size_t split_too_large(Adaptation_state& s, const std::vector<Index>& faces)
 {
-  const std::vector<char> near = nodes_around(s, faces, 3);
-  for(Index v = 0; v < Index(near.size()); ++v)
-    if(near[v]) s.disturb(v);
+  const std::size_t cut = split_within(s, faces, 12);
+  return cut > 0 ? cut : split_within(s, faces, s.mesh.face_end());
+}
+
+// Smoothing about some faces, and nowhere else unless it spreads from there.
+inline void smooth_near(Adaptation_state& s, const std::vector<Index>& faces, int rings = 3)
+{
+  s.restless = nodes_around(s, faces, rings);
   smooth(s, 6);
 }
 
@@ -98,24 +112,53 @@ inline void smooth_near(Adaptation_state& s, const std::vector<Index>& faces)
 // size, and local operations under a heavier weight for oversize, about them and two rings
 // around.  No operation may leave a face above its size that was not.
 inline void press_down(Adaptation_state& s, const Improvement_options& o,
-                       const std::vector<Index>& large)
+                       const std::vector<Index>& large, int rings)
 {
-  smooth_near(s, large);
+  smooth_near(s, large, rings);
   const std::vector<Index> left = faces_to_press(s);
   if(left.empty()) return;
   s.stirred = nodes_around(s, left, 2);
   Local_improvement(s, o).passes(4);
-  smooth_near(s, faces_to_press(s));
+  smooth_near(s, faces_to_press(s), rings);
 }
+
+// The nodes about faces that were worked on with other weights than the rest.
+class Touched_nodes
+{
+public:
+  explicit Touched_nodes(Adaptation_state& s) : s_(s), touched_(s.mesh.vertex_end(), 0) {}
+
+  void add(const std::vector<Index>& faces)
+  {
+    constexpr int reach = 6; // rings
+    const std::vector<char> near = nodes_around(s_, faces, reach);
+    touched_.resize(near.size(), 1);
+    for(std::size_t v = 0; v < near.size(); ++v) touched_[v] = char(touched_[v] | near[v]);
+  }
+
+  // They are worth a visit of smoothing and of operations; so are those that are new since.
+  void wake() const
+  {
+    for(Index v = 0; v < s_.mesh.vertex_end(); ++v) {
+      if(v < Index(touched_.size()) && !touched_[v]) continue;
+      s_.disturb(v);
+      s_.stir(v);
+    }
+  }
+
+private:
+  Adaptation_state& s_;
+  std::vector<char> touched_;
+};
 
 // What pressure and splits have spoiled is mended without giving up a size that is met: clean-up
 // and smoothing that leave no face above its size that was not.
-inline void settle(Adaptation_state& s, Improvement_options o, int rounds)
+inline void settle(Adaptation_state& s, Improvement_options o, int rounds,
+                   const Touched_nodes& touched)
 {
   o.keep_within_size = true;
   s.smoothing.keep_within_size = true;
-  s.disturb_all();
-  s.stir_all();
+  touched.wake();
   for(int round = 0; round < rounds; ++round) {
     smooth(s, 4);
     if(Local_improvement(s, o).passes(3) == 0) break;
@@ -132,7 +175,6 @@ inline void split_and_clean(Adaptation_state& s, const Improvement_options& o,
   smooth(s, 2);
   Improvement_options careful = o;
   careful.keep_within_size = true;
-  s.stir_all();
   Local_improvement(s, careful).passes(4);
 }
 
@@ -190,15 +232,17 @@ inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options&
   std::vector<Index> large = faces_to_press(s);
   double weight = 2;
   Bounded_splits split(s);
+  Touched_nodes touched(s);
   for(int round = 0; round < max_rounds && !large.empty(); ++round, weight *= 1.7) {
     s.check_cancelled();
+    touched.add(large);
     if(round % 4 == 2 && round > 2 && !split(o, large)) break;
     s.smoothing.min_corner = 0.3;
     s.smoothing.hinge = 2000 * (std::min)(weight, 20.);
     s.energy.oversize = energy.oversize * (std::min)(weight, 100.);
     s.forget_energies();
     pressed.keep_within_size = round >= 2;
-    press_down(s, pressed, faces_to_press(s));
+    press_down(s, pressed, faces_to_press(s), 3 + round);
     s.smoothing = gentle;
     s.energy = energy;
     s.forget_energies();
@@ -206,7 +250,7 @@ inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options&
   }
   split.end();
   s.smoothing.hinge = 2000;
-  settle(s, o, 3);
+  settle(s, o, 3, touched);
   s.smoothing = gentle;
   return faces_too_large(s).size();
 }

@@ -38,11 +38,12 @@ inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& st
   } while(h >= 0 && h != start);
 }
 
+constexpr double turned_away = 0.27; // mean cosine between normals of face and surface, or less
+
 // Has the move of node v from `old` uncovered the surface where a face is turned away from it, or
 // turned a corner over?  The rim of a thin wall slides inward like that where no feature holds it.
 inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_record& old)
 {
-  constexpr double enough = 0.27; // of the mean cosine between normals of face and surface
   if(s.surface.is_planar()) return false;
   const Vertex_record& r = s.mesh.vertex(v);
   double before = 0, now = 0, least = 1;
@@ -63,7 +64,7 @@ inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_recor
     before += norm(b) * (std::max)(reference.mean_cosine(normalized(b)), 0.);
     h = s.mesh.turn_left(h);
   } while(h >= 0 && h != r.halfedge);
-  return turned > 0 || (least < enough && now < (1 - 1e-6) * before);
+  return turned > 0 || (least < turned_away && now < (1 - 1e-6) * before);
 }
 
 // Moves node v to a better place on its carrier; tells whether it moved far enough for its
@@ -75,7 +76,8 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
   gather_star(s, v, relax.star());
   const Vertex_record old = r;
   if(!relax(r)) return false;
-  if(!is_order_kept(s, v, old) || loses_surface(s, v, old)) {
+  const bool doubtful = relax.worst() < following(turned_away) + 0.05;
+  if(!is_order_kept(s, v, old) || (doubtful && loses_surface(s, v, old))) {
     r = old;
     return false;
   }

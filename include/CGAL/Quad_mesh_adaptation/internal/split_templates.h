@@ -106,9 +106,8 @@ public:
     for(Index f = 0; f < faces; ++f)
       if(m.is_face(f) && cut_face(f)) ++cut;
     if(cut == 0) return 0;
-    s_.forget_faces();
-    s_.disturb_all();
     m.link();
+    for(Index f : children_) look_again(f);
     s_.count("template refinement", cut);
     return cut;
   }
@@ -170,6 +169,16 @@ private:
     add({ mid_[l], x, corner_[k], corner_[l] }, { -1, -1, curve_[k], curve_[l] });
   }
 
+  // Everything about a new face is new, and what its nodes' neighbours know of them.
+  void look_again(Index f)
+  {
+    s_.face_replaced(f);
+    for(Index v : s_.mesh.quad(f)) {
+      s_.disturb(v);
+      s_.stir(v);
+    }
+  }
+
   void add(const Quad& q, const std::array<Index, 4>& curve)
   {
     Quad_complex& m = s_.mesh;
@@ -178,13 +187,14 @@ private:
       f = m.add_face(q, patch_);
     else
       m.set_quad(f, q);
+    children_.push_back(f);
     fresh_ = true; // the first child keeps the number of its parent
     for(int i = 0; i < 4; ++i) m.set_curve(4 * f + i, curve[i]);
   }
 
   Adaptation_state& s_;
   const std::vector<char>& split_;
-  std::vector<Index> middle_;
+  std::vector<Index> middle_, children_;
   std::array<Index, 4> corner_, mid_, curve_;
   Index patch_ = 0, face_ = 0;
   bool fresh_ = false;

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OCTAVES_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OCTAVES_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Phase_scope.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+#include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+inline bool is_anything_frozen(const Adaptation_state& s)
+{
+  for(const Feature_curve& c : s.curves)
+    if(c.is_frozen()) return true;
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    if(s.mesh.is_vertex(v) && s.mesh.vertex(v).frozen) return true;
+  return false;
+}
+
+// How often the sizes may be doubled for a first solution, which is then halved everywhere as
+// often.  Halving keeps the pattern: a mesh that has as many faces as wanted everywhere has them
+// again, with as many irregular nodes in four times the faces and at a fraction of the work.  Two
+// things set a limit.  Where sizes grow, rows end: in twice the number of faces from one size to
+// the next there would be half as many places, so the first solution must still follow the sizes
+// well.  And it must not be coarser than the input, which may be as fine as it is for a reason.
+inline int octaves_above(const Adaptation_state& s)
+{
+  constexpr double least_faces = 1500, gentle_slope = 0.3;
+  if(is_anything_frozen(s)) return 0;
+  const Quad_complex& m = s.mesh;
+  const double given = double(m.number_of_faces());
+  const Size_function size = [&s](const Vec& p) { return s.size.at(p); };
+  Size_growth_meter meter(size, (std::max)(2, int(std::ceil(std::sqrt(4096 / given)))));
+  for(Index f = 0; f < m.face_end(); ++f)
+    if(m.is_face(f)) meter.add(s.corners(f));
+  double faces = meter.faces(), slope = std::sqrt(meter.result().mean_square_slope);
+  int octaves = 0;
+  for(; faces >= 4 * (std::max)(least_faces, 1.5 * given) && 2 * slope <= gentle_slope; ++octaves) {
+    faces /= 4;
+    slope *= 2;
+  }
+  return octaves;
+}
+
+// Halves the sizes and all edges.
+inline void halve_all(Adaptation_state& s)
+{
+  Phase_scope phase(s, "refinement");
+  s.scale_sizes(0.5);
+  std::vector<Index> all;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) all.push_back(f);
+  refine_faces(s, all);
+  ++s.iterations;
+  smooth(s, 3);
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OCTAVES_H
