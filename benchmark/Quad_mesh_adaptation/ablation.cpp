@@ -47,6 +47,7 @@ std::vector<Variant> variants()
     { "nothing (the full schedule)", [](State&, Ingredients&) {} },
     { "coarsening before refinement", without(&Ingredients::coarsening) },
     { "edge marking: faces cut in four instead", without(&Ingredients::edge_marking) },
+    { "octaves: the last sizes from the start", without(&Ingredients::octaves) },
     { "progressive sizes", without(&Ingredients::progressive_sizes) },
     { "sizes in smoothing", without(&Ingredients::size_aware) },
     { "local operations", without(&Ingredients::local_operations) },

@@ -71,6 +71,7 @@ struct Adaptation_state
   std::function<void(const char*, std::size_t)> start_phase = [](const char*, std::size_t) {};
   std::function<void(const char*, std::size_t)> end_phase = [](const char*, std::size_t) {};
   std::size_t iterations = 0; // passes of the driver's loop
+  std::size_t copies = 1;     // mirror images that make the whole mesh
 
   Corners corners(Index f) const
   {

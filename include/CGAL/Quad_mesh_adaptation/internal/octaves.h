@@ -26,16 +26,16 @@ inline bool is_anything_frozen(const Adaptation_state& s)
   return false;
 }
 
-// How often the sizes may be doubled for a first solution, which is then halved everywhere as
-// often.  Halving keeps the pattern: a mesh that has as many faces as wanted everywhere has them
-// again, with as many irregular nodes in four times the faces and at a fraction of the work.  Two
-// things set a limit.  Where sizes grow, rows end: in twice the number of faces from one size to
-// the next there would be half as many places, so the first solution must still follow the sizes
-// well.  And it must not be coarser than the input, which may be as fine as it is for a reason.
-inline int octaves_above(const Adaptation_state& s)
+// How often the sizes may be doubled, at most `most` times, for a first solution that is then
+// halved everywhere as often.  Halving keeps the pattern: a mesh that has as many faces as wanted
+// everywhere has them again, with as many irregular nodes in four times the faces and at a fraction
+// of the work. Two things set a limit.  Where sizes grow, rows end; halving doubles each row that
+// ends but adds no place where one does, so the first solution must follow the sizes well already.
+// And it must not be coarser than the input, which may be as fine as it is for a reason.
+inline int octaves_above(const Adaptation_state& s, int most)
 {
-  constexpr double least_faces = 1500, gentle_slope = 0.3;
-  if(is_anything_frozen(s)) return 0;
+  constexpr double least_faces = 400 /* of the whole */, gentle_slope = 0.3;
+  if(most <= 0 || is_anything_frozen(s)) return 0;
   const Quad_complex& m = s.mesh;
   const double given = double(m.number_of_faces());
   const Size_function size = [&s](const Vec& p) { return s.size.at(p); };
@@ -43,12 +43,27 @@ inline int octaves_above(const Adaptation_state& s)
   for(Index f = 0; f < m.face_end(); ++f)
     if(m.is_face(f)) meter.add(s.corners(f));
   double faces = meter.faces(), slope = std::sqrt(meter.result().mean_square_slope);
+  const double least = (std::max)(least_faces / double(s.copies), 1.5 * given);
   int octaves = 0;
-  for(; faces >= 4 * (std::max)(least_faces, 1.5 * given) && 2 * slope <= gentle_slope; ++octaves) {
+  while(octaves < most && faces >= 4 * least && 2 * slope <= gentle_slope) {
+    ++octaves;
     faces /= 4;
     slope *= 2;
   }
   return octaves;
+}
+
+// Ideal number of faces over that of the mesh, roughly.
+inline double efficiency(const Adaptation_state& s)
+{
+  double ideal = 0;
+  for(Index f = 0; f < s.mesh.face_end(); ++f) {
+    if(!s.mesh.is_face(f)) continue;
+    const Corners p = s.corners(f);
+    const double h = mean_edge_length(p) / s.size_ratio(f);
+    ideal += 0.5 * norm(area_vector(p)) / (h * h);
+  }
+  return ideal / double(s.mesh.number_of_faces());
 }
 
 // Halves the sizes and all edges.

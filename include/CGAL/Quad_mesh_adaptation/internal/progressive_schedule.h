@@ -11,6 +11,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -156,6 +157,63 @@ private:
   double energy_ = 0;
 };
 
+// From any mesh to one that has the sizes of now nearly everywhere.
+inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean,
+                           std::size_t max_passes, const Schedule_ingredients& use)
+{
+  smooth(s, 2);
+  if(use.coarsening && is_too_fine(s)) {
+    s.progress = 0.05;
+    coarsen_relaxed(s, clean, 12);
+  }
+  s.progress = 0.3;
+  refine_progressively(s, clean, max_passes, use);
+  // where halving has gone too far by the same everywhere, single rows can go again
+  if(use.coarsening && is_too_fine(s)) {
+    Phase_scope phase(s, "coarsening");
+    coarsen_by_chords(s, 0.5);
+  }
+  s.progress = 0.5;
+  if(use.local_operations && use.annealing) anneal(s, clean, 2.5, 10);
+  if(use.local_operations) polish(s, clean, 5, 2);
+}
+
+// Has a mesh that will be halved about as many faces as its sizes ask for?
+inline bool is_worth_halving(const Adaptation_state& s)
+{
+  return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003;
+}
+
+// The same for sizes doubled as often as makes sense.  A solution that takes far too many faces
+// would do so after each halving; then there is one octave less.  Returns how many octaves are
+// left.
+inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options& clean,
+                                 std::size_t max_passes, const Schedule_ingredients& use)
+{
+  const int most = use.octaves ? int((std::min)(max_passes, std::size_t(30))) : 0;
+  int octaves = octaves_above(s, most);
+  s.scale_sizes(std::exp2(octaves));
+  for(; octaves > 0; --octaves) {
+    Mesh_keeper input(s);
+    approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
+    if(use.last_resorts) enforce_sizes(s, clean, 16);
+    if(is_worth_halving(s)) return octaves;
+    input.restore();
+    s.scale_sizes(0.5);
+  }
+  approach_sizes(s, clean, max_passes, use);
+  return 0;
+}
+
+// From a mesh that has twice the sizes to one that has them, nearly everywhere.
+inline void descend_one_octave(Adaptation_state& s, const Improvement_options& clean,
+                               std::size_t max_passes, const Schedule_ingredients& use)
+{
+  halve_all(s);
+  refine_progressively(s, clean, max_passes, use);
+  if(use.local_operations) polish(s, clean, 1, 0);
+}
+
 // The default schedule.
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
                                  const Schedule_ingredients& use = {})
@@ -163,29 +221,13 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(is_adapted(s)) return;
   Good_mesh_keeper input(s);
   const Improvement_options clean;
-  int octaves = use.octaves ? octaves_above(s) : 0;
-  s.scale_sizes(std::exp2(octaves));
   if(!use.size_aware) s.smoothing.size = 0;
-  smooth(s, 2);
-  if(use.coarsening && is_too_fine(s)) {
-    s.progress = 0.05;
-    coarsen_relaxed(s, clean, 12);
-  }
-  s.progress = 0.3;
-  refine_progressively(s, clean, max_iterations, use);
-  // where halving has gone too far by the same everywhere, single rows can go again
-  if(use.coarsening && is_too_fine(s)) {
-    Phase_scope phase(s, "coarsening");
-    coarsen_by_chords(s, 0.5);
-  }
-  s.progress = 0.6;
-  if(use.local_operations && use.annealing) anneal(s, clean, 2.5, 10);
-  if(use.local_operations) polish(s, clean, 5, 2);
-  for(; octaves > 0; --octaves) {
-    if(use.last_resorts) enforce_sizes(s, clean, 16);
-    halve_all(s);
-    refine_progressively(s, clean, max_iterations, use);
-    if(use.local_operations) polish(s, clean, 1, 0);
+  const std::size_t last = s.iterations + max_iterations;
+  const int octaves = approach_larger_sizes(s, clean, max_iterations, use);
+  for(int left = octaves; left > 0; --left) {
+    s.progress = 0.9 - 0.3 * left / octaves;
+    if(left < octaves && use.last_resorts) enforce_sizes(s, clean, 16);
+    descend_one_octave(s, clean, last - s.iterations - std::size_t(left), use);
   }
   s.progress = 0.9;
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);

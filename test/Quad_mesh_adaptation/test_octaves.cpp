@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Many faces are made from a solution for larger sizes, halved everywhere.
+
+#include "support/state_checks.h"
+#include "support/zoo_mesh.h"
+
+#include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
+#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+namespace {
+
+namespace QMA = CGAL::Quad_mesh_adaptation;
+using namespace state_fixture;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+Options with_sizes(std::function<double(const Vec&)> size)
+{
+  Options o;
+  o.size = std::move(size);
+  return o;
+}
+
+int octaves(const Shape& shape, const std::function<double(const Vec&)>& size, int most = 30)
+{
+  Adaptation_state s = make_state(shape, with_sizes(size));
+  return core::octaves_above(s, most);
+}
+
+std::function<double(const Vec&)> uniform(double h)
+{
+  return [h](const Vec&) { return h; };
+}
+
+std::size_t irregular_nodes(const Adaptation_state& s)
+{
+  std::size_t count = 0;
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    if(s.mesh.is_vertex(v) && !s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces != 4) ++count;
+  return count;
+}
+
+} // namespace
+
+// A plate of 100 faces and of area 100: as long as 400 are left.
+TEST(Octaves, AsManyAsTheFacesAllow)
+{
+  const Shape plate = shape_zoo::plate(10, 10);
+  EXPECT_EQ(octaves(plate, uniform(1)), 0);
+  EXPECT_EQ(octaves(plate, uniform(10 / std::sqrt(1580.))), 0);
+  EXPECT_EQ(octaves(plate, uniform(10 / std::sqrt(1620.))), 1);
+  EXPECT_EQ(octaves(plate, uniform(10 / std::sqrt(26000.))), 3);
+  EXPECT_EQ(octaves(plate, uniform(10 / std::sqrt(26000.)), 2), 2);
+  EXPECT_EQ(octaves(plate, uniform(10 / std::sqrt(26000.)), 0), 0);
+}
+
+// No coarser than the input.
+TEST(Octaves, FineInput)
+{
+  EXPECT_EQ(octaves(shape_zoo::plate(60, 60), uniform(60 / std::sqrt(21000.))), 0);
+  EXPECT_EQ(octaves(shape_zoo::plate(60, 60), uniform(60 / std::sqrt(23000.))), 1);
+  EXPECT_EQ(octaves(shape_zoo::plate(60, 60), uniform(2)), 0);
+}
+
+TEST(Octaves, SteepSizes)
+{
+  const auto sloped = [](double slope) {
+    return [slope](const Vec& p) { return 0.02 + slope * p.x(); };
+  };
+  EXPECT_EQ(octaves(shape_zoo::plate(10, 10), sloped(0.16)), 0);
+  EXPECT_EQ(octaves(shape_zoo::plate(10, 10), sloped(0.08)), 1);
+  EXPECT_GE(octaves(shape_zoo::plate(10, 10), sloped(0.02)), 1);
+}
+
+TEST(Octaves, FrozenNodesHaveTheirSize)
+{
+  Adaptation_state s = make_state(shape_zoo::plate(10, 10), with_sizes(uniform(0.03)));
+  EXPECT_GT(core::octaves_above(s, 30), 0);
+  s.mesh.vertex(50).frozen = true;
+  EXPECT_EQ(core::octaves_above(s, 30), 0);
+}
+
+// Every face gives four, no irregular node is added, and what is known of sizes is true.
+TEST(Octaves, HalvingKeepsThePattern)
+{
+  for(const Shape& shape : shape_zoo::all()) {
+    SCOPED_TRACE(shape.name);
+    Adaptation_state s = make_state(
+        shape, with_sizes([](const Vec& p) { return 0.5 + 0.01 * std::abs(p.x() - p.y()); }));
+    for(Index f = 0; f < s.mesh.face_end(); ++f)
+      if(s.mesh.is_face(f)) s.size_ratio(f);
+    const Index faces = s.mesh.number_of_faces();
+    const std::size_t irregular = irregular_nodes(s);
+    core::halve_all(s);
+    EXPECT_EQ(s.mesh.number_of_faces(), 4 * faces);
+    EXPECT_EQ(irregular_nodes(s), irregular);
+    EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
+    EXPECT_EQ(s.size.scale(), 0.5);
+    for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+      if(s.mesh.is_vertex(v)) {
+        EXPECT_NEAR(s.mesh.vertex(v).h, s.size.at(s.mesh.point(v)), 1e-12);
+      }
+    for(Index f = 0; f < s.mesh.face_end(); ++f) {
+      if(!s.mesh.is_face(f)) continue;
+      const core::Corners p = s.corners(f);
+      EXPECT_NEAR(s.size_ratio(f), core::mean_edge_length(p) / s.size.at_face(p), 1e-12);
+    }
+  }
+}
+
+// What it is for: many faces with few irregular nodes, within their sizes all the same.
+TEST(Octaves, ManyFacesWithFewIrregularNodes)
+{
+  for(const Shape& shape : { shape_zoo::sphere(6), shape_zoo::torus(24, 12) }) {
+    SCOPED_TRACE(shape.name);
+    Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
+    const double area = QMA::measure_quad_mesh(mesh, 1.).ideal_number_of_faces; // of size 1
+    const double h = std::sqrt(area / 9000);
+    const auto r = QMA::adapt_quad_mesh(h, mesh);
+    EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
+    EXPECT_GE(r.after.efficiency, 0.85);
+    EXPECT_GE(r.after.min_scaled_jacobian, 0.5);
+    EXPECT_LE(r.after.max_valence, 5u);
+    EXPECT_LT(double(r.after.irregular_interior_vertices),
+              0.03 * double(r.after.interior_vertices));
+  }
+}
+
+// A limit of the number of iterations counts halvings.
+TEST(Octaves, IterationsAreLimited)
+{
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(shape_zoo::plate(10, 10));
+  const auto r = QMA::adapt_quad_mesh(0.04, mesh, CGAL::parameters::number_of_iterations(3));
+  EXPECT_LE(r.iterations, 3u);
+}
