@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -247,6 +248,37 @@ public:
     } while(c >= 0 && c != start);
     vertices_[v].halfedge = start;
     vertices_[v].faces = std::int16_t(n);
+  }
+
+  // Gives the faces the numbers of their places in `order`, which names each face once, and the
+  // vertices that may be recycled those of their first use: what is near each other is near in
+  // memory then.
+  void renumber(const std::vector<Index>& order)
+  {
+    std::vector<Index> place(face_end(), -1), vertex(vertices_.size(), -1);
+    for(std::size_t i = 0; i < order.size(); ++i) place[order[i]] = Index(i);
+    const auto moved = [&](Index h) { return h < 0 ? h : 4 * place[h >> 2] + (h & 3); };
+    const Index kept = (std::min)(first_reusable_, vertex_end());
+    Quad_complex r;
+    r.first_reusable_ = first_reusable_;
+    r.vertices_.reserve(vertices_.size());
+    r.vertices_.assign(vertices_.begin(), vertices_.begin() + kept);
+    for(Index v = 0; v < kept; ++v) vertex[v] = v;
+    for(Index f : order) {
+      const Index g = r.add_face(quad(f), patch_[f]);
+      for(int i = 0; i < 4; ++i) {
+        Index& v = vertex[origin_[4 * f + i]];
+        if(v < 0) {
+          v = Index(r.vertices_.size());
+          r.vertices_.push_back(vertices_[origin_[4 * f + i]]);
+        }
+        r.origin_[4 * g + i] = v;
+        r.opposite_[4 * g + i] = moved(opposite_[4 * f + i]);
+        r.curve_[4 * g + i] = curve_[4 * f + i];
+      }
+    }
+    for(Vertex_record& v : r.vertices_) v.halfedge = moved(v.halfedge);
+    *this = std::move(r);
   }
 
 private:
