@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
@@ -129,8 +130,9 @@ inline bool is_good(const Adaptation_state& s)
 // Is there nothing to do?
 inline bool is_adapted(const Adaptation_state& s) { return is_good(s) && !is_too_fine(s); }
 
-// The energy of a good mesh must fall below this share for the mesh to be changed.
-constexpr double worth_a_change = 0.92;
+// The energy of a good mesh must fall below this share for the mesh to be changed, and below the
+// other where that leaves faces too large.
+constexpr double worth_a_change = 0.92, worth_a_fault = 0.5;
 
 // A mesh that was good may come out no better, because its sizes leave no more to gain; then it is
 // left as it was, so that adapting an adapted mesh again changes nothing.
@@ -147,8 +149,8 @@ public:
   void restore_unless_better()
   {
     if(!mesh_) return;
-    const bool better = s_.total_energy() < worth_a_change * energy_;
-    if(!better || !faces_too_large(s_).empty()) mesh_->restore();
+    const double share = faces_too_large(s_).empty() ? worth_a_change : worth_a_fault;
+    if(s_.total_energy() >= share * energy_) mesh_->restore();
   }
 
 private:
@@ -178,10 +180,24 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
   if(use.local_operations) polish(s, clean, 5, 2);
 }
 
-// Has a mesh that will be halved about as many faces as its sizes ask for?
-inline bool is_worth_halving(const Adaptation_state& s)
+// Is no part of the reference surface so far from the faces that halving them would not find it
+// again, as tips are where faces are too large for them?
+inline bool covers_surface(const Adaptation_state& s)
 {
-  return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003;
+  constexpr double far = 0.3; // edges; across a face that turns by t it is t / 4
+  if(s.surface.is_planar() && s.curves.empty()) return true;
+  const Distance_measure distances(s);
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && distances.of(f) > far * mean_edge_length(s.corners(f))) return false;
+  return true;
+}
+
+// Has a mesh that will be halved about as many faces as its sizes ask for, and has it kept the
+// shape where it is coarser than the input?
+inline bool is_worth_halving(const Adaptation_state& s, Index given_faces)
+{
+  return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003 &&
+         (s.mesh.number_of_faces() > given_faces || covers_surface(s));
 }
 
 // The same for sizes doubled as often as makes sense.  A solution that takes far too many faces
@@ -192,12 +208,13 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
 {
   const int most = use.octaves ? int((std::min)(max_passes, std::size_t(30))) : 0;
   int octaves = octaves_above(s, most);
+  const Index given_faces = s.mesh.number_of_faces();
   s.scale_sizes(std::exp2(octaves));
   for(; octaves > 0; --octaves) {
     Mesh_keeper input(s);
     approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
     if(use.last_resorts) enforce_sizes(s, clean, 16);
-    if(is_worth_halving(s)) return octaves;
+    if(is_worth_halving(s, given_faces)) return octaves;
     input.restore();
     s.scale_sizes(0.5);
   }

@@ -25,9 +25,8 @@ inline double fraction_below(const Adaptation_state& s, double ratio)
   return double(below) / double(s.mesh.number_of_faces());
 }
 
-// Are there clearly more faces than the sizes ask for?  Either everywhere a few, by the mean square
-// of the size ratios, or many in some place.
-inline bool is_too_fine(const Adaptation_state& s)
+// Mean square of the size ratios, those above 1 taken as 1: what share of the faces would do.
+inline double mean_square_ratio(const Adaptation_state& s)
 {
   double sum = 0;
   for(Index f = 0; f < s.mesh.face_end(); ++f)
@@ -35,7 +34,13 @@ inline bool is_too_fine(const Adaptation_state& s)
       const double r = (std::min)(s.size_ratio(f), 1.);
       sum += r * r;
     }
-  return sum < 0.75 * double(s.mesh.number_of_faces()) || fraction_below(s, 0.7) > 0.01;
+  return sum / double(s.mesh.number_of_faces());
+}
+
+// Are there clearly more faces than the sizes ask for, everywhere a few or many in some place?
+inline bool is_too_fine(const Adaptation_state& s)
+{
+  return mean_square_ratio(s) < 0.75 || fraction_below(s, 0.7) > 0.01;
 }
 
 // Is a face held too large by an edge that must not change?
