@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -186,9 +188,12 @@ inline bool covers_surface(const Adaptation_state& s)
 {
   constexpr double far = 0.3; // edges; across a face that turns by t it is t / 4
   if(s.surface.is_planar() && s.curves.empty()) return true;
-  const Distance_measure distances(s);
+  std::vector<double> allowed(s.mesh.face_end(), (std::numeric_limits<double>::infinity)());
   for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && distances.of(f) > far * mean_edge_length(s.corners(f))) return false;
+    if(s.mesh.is_face(f)) allowed[f] = far * mean_edge_length(s.corners(f));
+  const Distance_measure distances(s, *std::min_element(allowed.begin(), allowed.end()));
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && distances.of(f) > allowed[f]) return false;
   return true;
 }
 
