@@ -115,8 +115,8 @@ private:
     }
   }
 
-  // Each triangle beside one that is measured already, so that its samples are looked for near those
-  // of that one.
+  // Each triangle beside one that is measured already, so that its samples are looked for near
+  // those of that one.
   void measure_reference()
   {
     if(s_.surface.is_planar()) return;

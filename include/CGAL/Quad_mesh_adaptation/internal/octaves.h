@@ -39,7 +39,8 @@ inline bool is_far_from_sizes(const Adaptation_state& s)
 inline double turn_per_face(const Adaptation_state& s, Index h)
 {
   const Quad_complex& m = s.mesh;
-  const Vec a = area_vector(s.corners(m.face(h))), b = area_vector(s.corners(m.face(m.opposite(h))));
+  const Vec a = area_vector(s.corners(m.face(h))),
+            b = area_vector(s.corners(m.face(m.opposite(h))));
   const Vertex_record &u = m.vertex(m.origin(h)), &v = m.vertex(m.target(h));
   const double way = 0.25 * (norm(a) + norm(b)) / distance(u.p, v.p); // between their centres
   return std::atan2(norm(cross(a, b)), a * b) * 0.5 * (u.h + v.h) / way;
@@ -69,6 +70,32 @@ inline int octaves_by_turn(const Adaptation_state& s, int most)
   return most;
 }
 
+// What the sizes ask for: the ideal number of faces, and how steeply they grow.
+struct Demand
+{
+  double faces, slope;
+
+  explicit Demand(const Adaptation_state& s)
+  {
+    const double given = double(s.mesh.number_of_faces());
+    const Size_function size = [&s](const Vec& p) { return s.size.at(p); };
+    Size_growth_meter meter(size, (std::max)(2, int(std::ceil(std::sqrt(4096 / given)))));
+    for(Index f = 0; f < s.mesh.face_end(); ++f)
+      if(s.mesh.is_face(f)) meter.add(s.corners(f));
+    faces = meter.faces();
+    slope = std::sqrt(meter.result().mean_square_slope); // of all those faces
+  }
+
+  // Can a mesh for twice the sizes still follow them?
+  bool is_gentle_doubled() const { return 2 * slope <= 0.3; }
+
+  void double_sizes()
+  {
+    faces /= 4;
+    slope *= 2;
+  }
+};
+
 // How often the sizes may be doubled, at most `most` times, for a first solution that is then
 // halved everywhere as often.  Halving keeps the pattern: a mesh that has as many faces as wanted
 // everywhere has them again, with as many irregular nodes in four times the faces and at a fraction
@@ -78,22 +105,33 @@ inline int octaves_by_turn(const Adaptation_state& s, int most)
 // be found again.
 inline int octaves_above(const Adaptation_state& s, int most)
 {
-  constexpr double least_faces = 400 /* of the whole */, gentle_slope = 0.3;
+  constexpr double least_faces = 400; // of the whole
   if(most <= 0 || is_anything_frozen(s)) return 0;
-  const Quad_complex& m = s.mesh;
-  const double given = double(m.number_of_faces());
-  const Size_function size = [&s](const Vec& p) { return s.size.at(p); };
-  Size_growth_meter meter(size, (std::max)(2, int(std::ceil(std::sqrt(4096 / given)))));
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f)) meter.add(s.corners(f));
-  double faces = meter.faces(), slope = std::sqrt(meter.result().mean_square_slope);
+  const double given = double(s.mesh.number_of_faces());
   const int coarser = is_far_from_sizes(s) ? octaves_by_turn(s, most) : 0;
+  Demand demand(s);
   int octaves = 0;
-  while(octaves < most && (octaves < coarser || faces >= 6 * given) &&
-        faces >= 4 * least_faces / double(s.copies) && 2 * slope <= gentle_slope) {
+  while(octaves < most && (octaves < coarser || demand.faces >= 6 * given) &&
+        demand.faces >= 4 * least_faces / double(s.copies) && demand.is_gentle_doubled()) {
     ++octaves;
-    faces /= 4;
-    slope *= 2;
+    demand.double_sizes();
+  }
+  return octaves;
+}
+
+// The same for a mesh that is only refined: no face may be cut that is small enough.
+inline int octaves_below_faces(const Adaptation_state& s, int most)
+{
+  if(most <= 0 || is_anything_frozen(s)) return 0;
+  double least = std::exp2(most);
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) least = (std::min)(least, s.size_ratio(f));
+  Demand demand(s);
+  int octaves = 0;
+  while(octaves < most && least >= 2 * 0.75 && demand.is_gentle_doubled()) {
+    ++octaves;
+    least /= 2;
+    demand.double_sizes();
   }
   return octaves;
 }

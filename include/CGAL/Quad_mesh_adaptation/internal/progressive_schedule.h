@@ -62,26 +62,6 @@ inline void refine_progressively(Adaptation_state& s, const Improvement_options&
   clear_floors(s);
 }
 
-// The same without clean-up: templates and smoothing only.  An edge that no pass can split, because
-// parity and constraints forbid it, does not keep the loop going.  Smoothing lengthens a few edges
-// beyond the limit again, so that after it a few faces would be cut in each of some twenty passes
-// over the whole mesh: where few are left they are cut without.
-inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& marking,
-                                    std::size_t max_passes)
-{
-  constexpr std::size_t few = 100; // one face in so many
-  for(std::size_t pass = 0; pass < max_passes; ++pass) {
-    Phase_scope phase(s, "refinement");
-    const std::size_t cut = refine_once(s, marking);
-    if(cut == 0) break;
-    ++s.iterations;
-    set_floors(s);
-    if(few * cut >= std::size_t(s.mesh.number_of_faces())) smooth(s, 3);
-  }
-  clear_floors(s);
-  smooth(s, 5);
-}
-
 // Clean-up that may raise the energy by a little, from round to round by less (threshold accepting,
 // Dueck and Scheuer 1990).  It carries irregular nodes over the small barriers between them, so
 // that pairs meet and vanish, which strict descent never does.  Each round visits a node at most

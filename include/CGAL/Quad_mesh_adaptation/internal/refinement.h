@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
+#include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 
 #include <algorithm>
@@ -55,15 +56,35 @@ inline bool is_beyond_help(const Adaptation_state& s, Index f)
   return false;
 }
 
+// Where few faces ask for splits, the best that stay near them; else, or where there is no such
+// solution, empty.
+inline std::vector<char> even_marks_near_wishes(const Quad_complex& m, std::vector<double> wish,
+                                                double bend)
+{
+  constexpr std::size_t few = 100; // one face in so many
+  constexpr int rings = 12;
+  std::vector<Index> asking;
+  for(Index f = 0; f < m.face_end(); ++f)
+    if(m.is_face(f) && *std::min_element(wish.begin() + 4 * f, wish.begin() + 4 * f + 4) < 0)
+      asking.push_back(f);
+  if(few * asking.size() > std::size_t(m.number_of_faces())) return {};
+  const std::vector<char> near = nodes_around(m, asking, rings);
+  for(Index h = 0; h < 4 * m.face_end(); ++h)
+    if(m.is_face(m.face(h)) && !(near[m.origin(h)] && near[m.target(h)]))
+      wish[h] = std::numeric_limits<double>::infinity();
+  return even_marks(m, wish, bend);
+}
+
 // One conforming pass over the whole mesh: edges are halved where the size asks for it.
 // Returns the number of faces cut.
 inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
                                std::vector<Index>* infeasible = nullptr)
 {
   s.check_cancelled();
-  const std::vector<char> split = even_marks(s.mesh, split_wishes(s, o), o.bend, infeasible);
-  if(split.empty()) return 0;
-  return Split_templates(s, split)();
+  const std::vector<double> wish = split_wishes(s, o);
+  std::vector<char> split = even_marks_near_wishes(s.mesh, wish, o.bend);
+  if(split.empty()) split = even_marks(s.mesh, wish, o.bend, infeasible);
+  return split.empty() ? 0 : Split_templates(s, split)();
 }
 
 // 2-refinement of whole faces: all their edges are split, and the transition templates around
