@@ -11,6 +11,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
+#include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,52 +96,6 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
   s.smoothing.hinge = hinge;
 }
 
-// Is every face within its size, with shapes and valences as this schedule leaves them?
-inline bool is_good(const Adaptation_state& s)
-{
-  const Quad_complex& m = s.mesh;
-  if(!faces_too_large(s).empty()) return false;
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f) && scaled_jacobian(s.corners(f)) < s.smoothing.min_corner) return false;
-  for(Index v = 0; v < m.vertex_end(); ++v)
-    if(m.is_vertex(v) && m.vertex(v).carrier == Carrier::surface &&
-       (m.vertex(v).faces < 3 || m.vertex(v).faces > 5))
-      return false;
-  return true;
-}
-
-// Is there nothing to do?
-inline bool is_adapted(const Adaptation_state& s) { return is_good(s) && !is_too_fine(s); }
-
-// The energy of a good mesh must fall below this share for the mesh to be changed, and below the
-// other where that leaves faces too large.
-constexpr double worth_a_change = 0.92, worth_a_fault = 0.5;
-
-// A mesh that was good may come out no better, because its sizes leave no more to gain; then it is
-// left as it was, so that adapting an adapted mesh again changes nothing.
-class Good_mesh_keeper
-{
-public:
-  explicit Good_mesh_keeper(Adaptation_state& s) : s_(s)
-  {
-    if(!is_good(s)) return;
-    mesh_.emplace(s);
-    energy_ = s.total_energy();
-  }
-
-  void restore_unless_better()
-  {
-    if(!mesh_) return;
-    const double share = faces_too_large(s_).empty() ? worth_a_change : worth_a_fault;
-    if(s_.total_energy() >= share * energy_) mesh_->restore();
-  }
-
-private:
-  Adaptation_state& s_;
-  std::optional<Mesh_keeper> mesh_;
-  double energy_ = 0;
-};
-
 // From any mesh to one that has the sizes of now nearly everywhere.
 inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean,
                            std::size_t max_passes, const Schedule_ingredients& use)
@@ -193,6 +148,7 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
 {
   const int most = use.octaves ? int((std::min)(max_passes, std::size_t(30))) : 0;
   int octaves = octaves_above(s, most);
+  if(octaves == 0) stay_near_work(s);
   const Index given_faces = s.mesh.number_of_faces();
   s.scale_sizes(std::exp2(octaves));
   for(; octaves > 0; --octaves) {
@@ -234,6 +190,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   s.progress = 0.9;
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
   input.restore_unless_better();
+  s.region.clear();
   s.progress = 1;
 }
 
