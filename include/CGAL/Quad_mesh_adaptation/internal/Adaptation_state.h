@@ -118,6 +118,7 @@ struct Adaptation_state
   // Where only a part of the mesh is to be worked on: its nodes; new ones belong to it.
   std::vector<char> region;
 
+  bool is_to_work_on(Index v) const { return v >= Index(region.size()) || region[v]; }
   std::vector<char> all_to_work_on() const
   {
     std::vector<char> all = region;
@@ -130,6 +131,7 @@ struct Adaptation_state
 
   void disturb(Index v)
   {
+    if(!is_to_work_on(v)) return;
     if(v >= Index(restless.size())) restless.resize(mesh.vertex_end(), 1);
     restless[v] = 1;
   }
@@ -140,6 +142,7 @@ struct Adaptation_state
 
   void stir(Index v)
   {
+    if(!is_to_work_on(v)) return;
     if(v >= Index(stirred.size())) stirred.resize(mesh.vertex_end(), 1);
     stirred[v] = 1;
   }

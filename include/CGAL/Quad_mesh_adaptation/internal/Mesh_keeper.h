@@ -24,14 +24,11 @@ public:
   }
 
   // All is as it was; once only.
-  void restore() { swap(); }
-
-  // The mesh of now is remembered instead of the other.
-  void swap()
+  void restore()
   {
-    std::swap(s_.mesh, mesh_);
-    std::swap(s_.operations, operations_);
-    std::swap(s_.iterations, iterations_);
+    s_.mesh = std::move(mesh_);
+    s_.operations = std::move(operations_);
+    s_.iterations = iterations_;
     s_.forget_faces();
     s_.disturb_all();
     s_.stir_all();

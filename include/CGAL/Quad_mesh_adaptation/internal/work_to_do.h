@@ -86,20 +86,24 @@ inline bool is_adapted(const Adaptation_state& s)
   return !is_too_fine(s) && faces_to_work_on(s).empty();
 }
 
-// Where there is something to do about few faces only, all else is left alone, so that a small
-// change costs little.
-inline void stay_near_work(Adaptation_state& s)
+// Is there something to do about few of the faces only?
+inline bool is_local(const Adaptation_state& s, const std::vector<Index>& work)
 {
   constexpr std::size_t few = 10; // one face in so many
-  constexpr int rings = 8;
-  const std::vector<Index> work = faces_to_work_on(s);
-  if(work.empty() || few * work.size() > std::size_t(s.mesh.number_of_faces())) return;
-  s.region = nodes_around(s.mesh, work, rings);
+  return !work.empty() && few * work.size() <= std::size_t(s.mesh.number_of_faces());
 }
 
-// The energy of the faces worked on in a good mesh must fall below this share for the mesh to be
-// changed, and below the other where that leaves faces too large.
-constexpr double worth_a_change = 0.92, worth_a_fault = 0.5;
+// Where that is so all else is left alone, so that a small change costs little.
+inline void stay_near_work(Adaptation_state& s)
+{
+  constexpr int rings = 8;
+  const std::vector<Index> work = faces_to_work_on(s);
+  if(is_local(s, work)) s.region = nodes_around(s.mesh, work, rings);
+}
+
+// The energy of the faces to work on in a good mesh must fall by this share of it for the mesh to
+// be changed, and by the other where that leaves faces too large.
+constexpr double worth_a_change = 0.08, worth_a_fault = 0.5;
 
 // A mesh that was good may come out no better, because its sizes leave no more to gain; then it is
 // left as it was, so that adapting an adapted mesh again changes nothing.
@@ -110,34 +114,24 @@ public:
   {
     if(!is_good(s)) return;
     mesh_.emplace(s);
-    energy_ = s.total_energy();
+    energy_ = at_stake_ = s.total_energy();
+    const std::vector<Index> work = faces_to_work_on(s);
+    if(!is_local(s, work)) return;
+    at_stake_ = 0;
+    for(Index f : work) at_stake_ += s.cached_energy(f);
   }
 
   void restore_unless_better()
   {
     if(!mesh_) return;
     const double share = faces_too_large(s_).empty() ? worth_a_change : worth_a_fault;
-    const double now = s_.total_energy();
-    mesh_->swap();
-    const double worked_on = energy_of_region();
-    if(energy_ - now < (1 - share) * worked_on) return;
-    mesh_->swap();
+    if(energy_ - s_.total_energy() < share * at_stake_) mesh_->restore();
   }
 
 private:
-  // Of the input, while it is in place.
-  double energy_of_region()
-  {
-    const std::vector<char> in = s_.all_to_work_on();
-    double sum = 0;
-    for(Index f = 0; f < s_.mesh.face_end(); ++f)
-      if(s_.mesh.is_face(f) && in[s_.mesh.origin(4 * f)]) sum += s_.cached_energy(f);
-    return sum;
-  }
-
   Adaptation_state& s_;
   std::optional<Mesh_keeper> mesh_;
-  double energy_ = 0;
+  double energy_ = 0, at_stake_ = 0; // of all faces and nodes, and of those to work on
 };
 
 } // namespace internal
