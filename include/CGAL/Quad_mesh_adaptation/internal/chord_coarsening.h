@@ -112,12 +112,14 @@ private:
   std::vector<char> used_;
 };
 
-// Batches of chords with a little smoothing after each, which spreads the width they leave; more of
-// it where no chord is worth while any more, because that may show another one.  Ends with a batch
-// that removes less than `least_share` of the faces.
+// Batches of chords with smoothing after each, which spreads the width they leave: a little in large
+// meshes, for speed, until no chord is worth while any more; more of it may show another one then.
+// Ends with a batch that removes less than `least_share` of the faces.
 inline std::size_t remove_chords(Adaptation_state& s, double min_jacobian, double least_share,
                                  int max_batches)
 {
+  constexpr Index large = 5000; // faces
+  const bool quick = s.mesh.number_of_faces() > large;
   const double fine = s.smoothing.wake;
   Chord_coarsening chords(s, min_jacobian);
   std::size_t total = 0, since_smooth = 0;
@@ -125,9 +127,9 @@ inline std::size_t remove_chords(Adaptation_state& s, double min_jacobian, doubl
     const std::size_t removed = chords.batch();
     total += removed;
     since_smooth += removed;
-    if(since_smooth == 0) break;
-    s.smoothing.wake = removed > 0 ? 0.05 : fine;
-    smooth(s, removed > 0 ? 2 : 12);
+    if(removed == 0 && (!quick || since_smooth == 0)) break;
+    if(quick && removed > 0) s.smoothing.wake = 0.05;
+    smooth(s, quick && removed > 0 ? 2 : 12);
     s.smoothing.wake = fine;
     if(double(removed) < least_share * double(s.mesh.number_of_faces())) break;
     if(removed == 0) since_smooth = 0;
