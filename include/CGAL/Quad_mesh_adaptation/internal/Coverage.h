@@ -25,15 +25,11 @@ inline std::pair<double, std::size_t> best_cover(const Witness& w,
                                                  const std::vector<Corners>& faces)
 {
   std::pair<double, std::size_t> best(1e300, 0);
-  double nearest = 1e300; // among those that cost nothing the nearest
   for(std::size_t k = 0; k < faces.size(); ++k) {
-    const double cost = w.cost_of(faces[k]);
-    if(cost > best.first) continue;
-    const double d2 = w.distance2(faces[k]);
-    if(cost == best.first && d2 >= nearest) continue;
-    best = { cost, k };
-    nearest = d2;
+    const double d = w.distance_to(faces[k]);
+    if(d < best.first) best = { d, k };
   }
+  best.first = w.cost_at(best.first);
   return best;
 }
 
@@ -139,8 +135,8 @@ private:
       if(t < 0) continue;
       const Index f = face_of[t / 2];
       const Quad q = m.quad(f);
-      give(w, f,
-           witnesses_[w].cost_of({ m.point(q[0]), m.point(q[1]), m.point(q[2]), m.point(q[3]) }));
+      const Corners p = { m.point(q[0]), m.point(q[1]), m.point(q[2]), m.point(q[3]) };
+      give(w, f, witnesses_[w].cost_at(witnesses_[w].distance_to(p)));
     }
   }
 

@@ -201,11 +201,15 @@ private:
     const Witness& w = *pull.witness;
     const std::array<Vec, 3> a = { x, f.q1, pull.from_node ? f.q2 : f.q3 },
                              b = { pull.from_node ? x : f.q1, f.q2, f.q3 };
-    const Vec qa = closest_on_triangle(w.p, a).point, qb = closest_on_triangle(w.p, b).point;
-    const bool first = (w.p - qa) * (w.p - qa) <= (w.p - qb) * (w.p - qb);
+    const Vec qa = closest_on_triangle(w.p, a).point;
+    const double da = (w.p - qa).squared_length(), enough = w.allowed * w.allowed;
+    if(da <= enough) return;
+    const Vec qb = closest_on_triangle(w.p, b).point;
+    const double db = (w.p - qb).squared_length();
+    if(db <= enough) return;
+    const bool first = da <= db;
     const Vec q = first ? qa : qb;
-    const double d = distance(w.p, q), over = (d - w.allowed) * w.inverse_h;
-    if(!(over > 0)) return;
+    const double d = std::sqrt(first ? da : db), over = (d - w.allowed) * w.inverse_h;
     e.value += w.cost_at(d);
     if(!m || (!first && !pull.from_node)) return;
     const double share = barycentric_weights(first ? a : b, q)[0] * w.inverse_h / d;

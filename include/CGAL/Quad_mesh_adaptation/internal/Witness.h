@@ -44,12 +44,12 @@ struct Witness
     return (std::min)(a * a, b * b);
   }
 
-  // A face that is turned away does not cover, however near.
-  double cost_of(const Corners& c) const
+  // From a face, but farther from one that is turned away: it does not cover, however near.
+  double distance_to(const Corners& c) const
   {
     const Vec n = area_vector(c);
     const double d = std::sqrt(distance2(c));
-    return cost_at(n * normal < turned_away * norm(n) ? d + 1 / inverse_h : d);
+    return n * normal < turned_away * norm(n) ? d + 1 / inverse_h : d;
   }
 };
 

@@ -94,11 +94,11 @@ public:
 private:
   static constexpr double spacing = 0.4; // of the wanted size
 
-  // Where a wanted face turns by more than 40 degrees, or leaves the surface by nearly the bound.
+  // Where a wanted face turns by more than 57 degrees, or leaves the surface by nearly the bound.
   bool is_needed(const Bend& b) const
   {
     const double h = scale_ * b.h, turn = b.curvature * h;
-    return b.triangle >= 0 && (turn > 0.7 || turn * h > 8 * 0.4 * bound_);
+    return b.triangle >= 0 && (turn > 1 || turn * h > 8 * 0.4 * bound_);
   }
 
   // Allowed is what a well placed face takes: its sagitta, but next to nothing on a sharp bend,
