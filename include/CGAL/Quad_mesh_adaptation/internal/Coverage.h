@@ -55,7 +55,7 @@ public:
   {
     if(surface.is_planar() || surface.number_of_triangles() == 0) return;
     if(scale_ != size.scale()) {
-      if(bends_.empty()) bends_ = bends_of(surface, size, bound_);
+      if(bends_.empty()) bends_ = bends_of(surface, size);
       witnesses_ = choose_witnesses(surface, bends_, size.scale(), bound_);
       scale_ = size.scale();
       assigned_ = false;
@@ -154,8 +154,8 @@ private:
   }
 
   double bound_ = (std::numeric_limits<double>::infinity)();
-  double scale_ = 0;         // of the sizes that the witnesses are for
-  std::vector<Bend> bends_;  // of the surface, by vertex
+  double scale_ = 0;        // of the sizes that the witnesses are for
+  std::vector<Bend> bends_; // of the surface, by vertex
   std::vector<Witness> witnesses_;
   std::vector<Index> first_; // of each face
   bool assigned_ = false;

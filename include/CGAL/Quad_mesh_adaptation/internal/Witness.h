@@ -21,7 +21,7 @@ namespace internal {
 // tangent, so that a tip that is far off does not swamp all else.
 struct Witness
 {
-  static constexpr double weight = 40;
+  static constexpr double weight = 20;
   static constexpr double turned_away = -0.3; // cosine to a face that cannot cover it
 
   Vec p, normal;

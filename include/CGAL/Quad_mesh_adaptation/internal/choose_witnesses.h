@@ -22,43 +22,47 @@ namespace internal {
 struct Bend
 {
   Vec normal = Vec(0, 0, 0);
-  double curvature = 0; // largest turn per length across the edges there
+  double curvature = 0; // turn per length
+  double least = 0;     // turn between the triangles there, which no small size makes less
   double h = 0;         // the size, not scaled
   Index triangle = -1;  // one of those about the vertex; -1: on a sharp edge or the border
+
+  double turn_over(double length) const { return (std::max)(curvature * length, least); }
 };
 
+// Calls visit(bend, triangle, vertex) for all corners.
+template <typename Visit>
+void for_each_corner(const Reference_surface& surface, std::vector<Bend>& bends, const Visit& visit)
+{
+  for(Index t = 0; t < Index(surface.number_of_triangles()); ++t)
+    for(Index v : surface.triangles()[t]) visit(bends[v], t, v);
+}
+
 // Of all vertices; those on curves have none, because curves hold the mesh there.
-inline std::vector<Bend> bends_of(const Reference_surface& surface, const Size_sampler& size,
-                                  double bound)
+inline std::vector<Bend> bends_of(const Reference_surface& surface, const Size_sampler& size)
 {
   std::vector<Bend> bends(surface.points().size());
-  std::vector<char> on_curve(bends.size(), 0);
-  for(Index t = 0; t < Index(surface.number_of_triangles()); ++t) {
-    const std::array<Index, 3>& v = surface.triangles()[t];
+  for_each_corner(surface, bends, [&](Bend& b, Index t, Index) {
+    b.normal = b.normal + surface.normal(t);
+    b.triangle = t;
+  });
+  for(Bend& b : bends) b.normal = normalized(b.normal);
+  for_each_corner(surface, bends, [&](Bend& b, Index t, Index v) {
     const std::array<Vec, 3> c = surface.triangle(t);
-    const Vec centre = (c[0] + c[1] + c[2]) / 3, n = surface.normal(t);
-    for(int i = 0; i < 3; ++i) {
-      Bend &a = bends[v[i]], &b = bends[v[(i + 1) % 3]];
-      a.normal = a.normal + n;
-      a.triangle = t;
-      const Index u = surface.neighbour(t, i);
-      if(u < 0) on_curve[v[i]] = on_curve[v[(i + 1) % 3]] = 1;
-      if(u <= t) continue;
-      const std::array<Vec, 3> d = surface.triangle(u);
-      const Vec m = surface.normal(u), across = (d[0] + d[1] + d[2]) / 3 - centre;
-      const double turn = std::atan2(norm(cross(n, m)), n * m), way = norm(across);
-      if(!(turn > 1e-6 && way > 0)) continue;
-      a.curvature = (std::max)(a.curvature, turn / way);
-      b.curvature = (std::max)(b.curvature, turn / way);
-    }
-  }
-  (void)bound;
-  for(std::size_t v = 0; v < bends.size(); ++v) {
-    Bend& b = bends[v];
-    b.normal = normalized(b.normal);
-    if(on_curve[v]) b.triangle = -1;
-    if(b.triangle >= 0 && b.curvature > 0) b.h = size.unscaled(surface.points()[v]);
-  }
+    const double way = distance((c[0] + c[1] + c[2]) / 3, surface.points()[v]);
+    const double turn = std::acos((std::max)(-1., (std::min)(1., b.normal * surface.normal(t))));
+    if(!(turn > 1e-6 && way > 0)) return;
+    b.curvature = (std::max)(b.curvature, turn / way);
+    b.least = (std::max)(b.least, 2 * turn);
+  });
+  for(Index t = 0; t < Index(surface.number_of_triangles()); ++t)
+    for(int i = 0; i < 3; ++i)
+      if(surface.neighbour(t, i) < 0)
+        bends[surface.triangles()[t][i]].triangle =
+            bends[surface.triangles()[t][(i + 1) % 3]].triangle = -1;
+  for(std::size_t v = 0; v < bends.size(); ++v)
+    if(bends[v].triangle >= 0 && bends[v].curvature > 0)
+      bends[v].h = size.unscaled(surface.points()[v]);
   return bends;
 }
 
@@ -76,7 +80,7 @@ public:
   {
     std::vector<std::pair<double, Index>> order;
     for(Index v = 0; v < Index(bends_.size()); ++v)
-      if(is_needed(bends_[v])) order.push_back({ -bends_[v].curvature * bends_[v].h, v });
+      if(is_needed(bends_[v])) order.push_back({ -bends_[v].turn_over(scale_ * bends_[v].h), v });
     std::vector<Witness> chosen;
     if(order.empty()) return chosen;
     std::sort(order.begin(), order.end());
@@ -97,8 +101,8 @@ private:
   // Where a wanted face turns by more than 57 degrees, or leaves the surface by nearly the bound.
   bool is_needed(const Bend& b) const
   {
-    const double h = scale_ * b.h, turn = b.curvature * h;
-    return b.triangle >= 0 && (turn > 1 || turn * h > 8 * 0.4 * bound_);
+    const double h = scale_ * b.h, turn = b.turn_over(h);
+    return b.h > 0 && (turn > 1 || turn * h > 8 * 0.4 * bound_);
   }
 
   // Allowed is what a well placed face takes: its sagitta, but next to nothing on a sharp bend,
@@ -106,13 +110,13 @@ private:
   Witness witness(Index v) const
   {
     const Bend& b = bends_[v];
-    const double h = scale_ * b.h, turn = b.curvature * h;
+    const double h = scale_ * b.h, turn = b.turn_over(h);
     Witness w;
     w.p = surface_.lifted(surface_.points()[v], b.triangle);
     w.normal = b.normal;
     w.allowed = 0.15 * h * (std::min)({ 1., turn, (std::max)(2 / turn, 1. / 3) });
     w.allowed = (std::min)(w.allowed, 0.6 * bound_);
-    w.inverse_h = 1 / (std::min)(h, 3 * bound_);
+    w.inverse_h = 1 / (std::min)(h, 1.5 * bound_);
     w.patch = surface_.patch(b.triangle);
     return w;
   }
