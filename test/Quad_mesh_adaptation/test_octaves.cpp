@@ -7,6 +7,7 @@
 #include "support/zoo_mesh.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement_schedule.h>
 #include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -66,12 +67,32 @@ TEST(Octaves, AsManyAsTheFacesAllow)
   EXPECT_EQ(octaves(plate, uniform(10 / std::sqrt(26000.)), 0), 0);
 }
 
-// No coarser than the input.
+// Coarser than the input where all of it has another size than wanted; not where it can stay.
 TEST(Octaves, FineInput)
 {
-  EXPECT_EQ(octaves(shape_zoo::plate(60, 60), uniform(60 / std::sqrt(21000.))), 0);
-  EXPECT_EQ(octaves(shape_zoo::plate(60, 60), uniform(60 / std::sqrt(23000.))), 1);
-  EXPECT_EQ(octaves(shape_zoo::plate(60, 60), uniform(2)), 0);
+  const Shape plate = shape_zoo::plate(60, 60);
+  EXPECT_EQ(octaves(plate, uniform(60 / std::sqrt(21000.))), 2);
+  EXPECT_EQ(octaves(plate, uniform(0.9)), 1);
+  EXPECT_EQ(octaves(plate, uniform(2)), 0) << "900 faces";
+  EXPECT_EQ(octaves(plate, uniform(1.01)), 0) << "as wanted already";
+  EXPECT_EQ(octaves(plate, [](const Vec& p) { return p.x() < 15 ? 0.6 : 1.01; }), 0);
+}
+
+// Nor where a surface would turn by too much across a face of the first solution: a tube of twelve
+// faces around, 30 degrees each, may be made of six.
+TEST(Octaves, TurnOfTheSurface)
+{
+  const Shape tube = shape_zoo::open_cylinder(12, 400);
+  Adaptation_state s = make_state(tube, with_sizes(uniform(0.5)));
+  const double edge = core::mean_edge_length(s.corners(0));
+  for(const auto& [share, most] :
+      { std::make_pair(1.4, 0), std::make_pair(0.7, 1), std::make_pair(0.35, 2) }) {
+    s = make_state(tube, with_sizes(uniform(share * edge)));
+    EXPECT_GE(core::octaves_by_turn(s, 30), most) << share;
+    EXPECT_LE(core::octaves_by_turn(s, 30), most + 1) << share;
+  }
+  s = make_state(shape_zoo::plate(10, 10), with_sizes(uniform(1)));
+  EXPECT_EQ(core::octaves_by_turn(s, 30), 30);
 }
 
 TEST(Octaves, SteepSizes)
@@ -118,6 +139,38 @@ TEST(Octaves, HalvingKeepsThePattern)
       EXPECT_NEAR(s.size_ratio(f), core::mean_edge_length(p) / s.size.at_face(p), 1e-12);
     }
   }
+}
+
+// A fine sphere thinned out and halved again is round as before.
+TEST(Octaves, FineSphereIsFoundAgain)
+{
+  const Shape sphere = shape_zoo::sphere(30);
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(sphere);
+  const double h = 1.3 * std::sqrt(4 * 3.14159 / double(sphere.quads.size()));
+  const auto r = QMA::adapt_quad_mesh(h, mesh, CGAL::Quad_mesh_adaptation::symmetry(false));
+  EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
+  EXPECT_GE(r.after.efficiency, 0.85);
+  EXPECT_LT(r.after.reference_to_mesh, 0.6 * h * h); // the sagitta of the longest diagonals
+  EXPECT_LT(double(r.after.irregular_interior_vertices), 0.06 * double(r.after.interior_vertices));
+}
+
+// Refinement alone: as many faces as without octaves, fewer irregular nodes, none cut in vain.
+TEST(Octaves, OfRefinement)
+{
+  const auto sloped = [](const Vec& p) { return 0.05 + 0.01 * p.x(); };
+  Adaptation_state with = make_state(shape_zoo::plate(10, 10), with_sizes(sloped)), without = with;
+  EXPECT_GE(core::octaves_below_faces(with, 30), 2);
+  core::refine_by_octaves(with, core::Marking_options(), 40);
+  core::refine_by_templates(without, core::Marking_options(), 40);
+  EXPECT_EQ(state_checks::halfedge_problem(with.mesh), "");
+  EXPECT_EQ(with.size.scale(), 1);
+  EXPECT_NEAR(double(with.mesh.number_of_faces()) / without.mesh.number_of_faces(), 1, 0.2);
+  EXPECT_LT(irregular_nodes(with), irregular_nodes(without));
+  EXPECT_LT(core::fraction_below(with, 0.5), 0.001);
+  // one face small enough already, and there are none
+  Adaptation_state held = make_state(shape_zoo::plate(10, 10),
+                                     with_sizes([](const Vec& p) { return p.x() > 9 ? 1. : 0.1; }));
+  EXPECT_EQ(core::octaves_below_faces(held, 30), 0);
 }
 
 // What it is for: many faces with few irregular nodes, within their sizes all the same.

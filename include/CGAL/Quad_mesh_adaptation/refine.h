@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_REFINE_H
 #define CGAL_QUAD_MESH_ADAPTATION_REFINE_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement_schedule.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
 #include <cmath>
@@ -19,7 +19,8 @@ respect to the size after every pass; no clean-up, no coarsening.  `number_of_it
 the passes; by default it goes on until no edge asks for a split.  Parity is solved for the whole
 mesh as a minimum-weight T-join.  Edges that must not change are never split, and then a solution
 always exists; what stays larger than asked because of them is listed in the report.
-
+Where all faces are more than twice as large as asked, the sizes are met at twice to many times
+their scale first, and all faces are then cut in four as often as is left to do.
 
 All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
 mesh is valid after the call, and unchanged where it is refused or cancelled.
@@ -33,8 +34,8 @@ Adaptation_report refine(const SizingField& sizing, QuadMesh& mesh,
       parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
   return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, false,
                                [&](internal::Adaptation_state& s, Adaptation_report&) {
-                                 internal::refine_without_clean_up(s, internal::Marking_options(),
-                                                                   passes);
+                                 internal::refine_by_octaves(s, internal::Marking_options(),
+                                                             passes);
                                });
 }
 

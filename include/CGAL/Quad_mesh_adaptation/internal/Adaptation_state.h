@@ -117,25 +117,38 @@ struct Adaptation_state
     return face_energy(corners(f), reference_normal(f), face_floor(f));
   }
 
+  // Where only a part of the mesh is to be worked on: its nodes; new ones belong to it.
+  std::vector<char> region;
+
+  bool is_to_work_on(Index v) const { return v >= Index(region.size()) || region[v]; }
+  std::vector<char> all_to_work_on() const
+  {
+    std::vector<char> all = region;
+    all.resize(mesh.vertex_end(), 1);
+    return all;
+  }
+
   // Nodes that smoothing should visit, because something about them changed.
   std::vector<char> restless;
 
   void disturb(Index v)
   {
+    if(!is_to_work_on(v)) return;
     if(v >= Index(restless.size())) restless.resize(mesh.vertex_end(), 1);
     restless[v] = 1;
   }
-  void disturb_all() { restless.assign(mesh.vertex_end(), 1); }
+  void disturb_all() { restless = all_to_work_on(); }
 
   // Nodes about which enough has changed for another operation to pay.
   std::vector<char> stirred;
 
   void stir(Index v)
   {
+    if(!is_to_work_on(v)) return;
     if(v >= Index(stirred.size())) stirred.resize(mesh.vertex_end(), 1);
     stirred[v] = 1;
   }
-  void stir_all() { stirred.assign(mesh.vertex_end(), 1); }
+  void stir_all() { stirred = all_to_work_on(); }
 
   double cached_energy(Index f)
   {

@@ -56,7 +56,7 @@ public:
   {
     if(!is_asked_for() || rounds_ == most_rounds) return false;
     ++rounds_;
-    if(!limit_->tighten(s_, Distance_measure(s_))) return false;
+    if(!limit_->tighten(s_, Distance_measure(s_, 0.95 * allowed_))) return false;
     refresh();
     return true;
   }
@@ -65,7 +65,7 @@ public:
   {
     std::vector<Index> list;
     if(!is_asked_for()) return list;
-    const Distance_measure distances(s_);
+    const Distance_measure distances(s_, allowed_);
     for(Index f = 0; f < s_.mesh.face_end(); ++f)
       if(s_.mesh.is_face(f) && distances.of(f) > allowed_) list.push_back(f);
     return list;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -22,11 +23,14 @@ namespace internal {
 // and seven where it is flat, and along every feature edge all points of the curve's polyline.
 //
 // A distance is the one within the patch.  From the reference it is found by walking over the mesh,
-// and where that gives more than the largest so far, asked from a tree.
+// which may stop too far away; where that gives more than the largest so far, or for its face more
+// than `care`, a tree is asked.
 class Distance_measure
 {
 public:
-  explicit Distance_measure(const Adaptation_state& s) : s_(s), of_face(s.mesh.face_end(), 0.)
+  explicit Distance_measure(const Adaptation_state& s,
+                            double care = (std::numeric_limits<double>::infinity)())
+      : s_(s), care_(care), of_face(s.mesh.face_end(), 0.)
   {
     measure_curves();
     measure_faces();
@@ -35,7 +39,7 @@ public:
 
   double to_reference() const { return to_reference_; }
   double from_reference() const { return from_reference_; }
-  // The larger of both for what was found on face f.
+  // The larger of both for what was found on face f; above `care` exact, else rather too much.
   double of(Index f) const { return of_face[f]; }
   // The face that vertex v of the reference is nearest to; -1 on a plane, where none is looked for.
   Index face_below(Index v) const { return face_below_.empty() ? Index(-1) : face_below_[v]; }
@@ -111,31 +115,51 @@ private:
     }
   }
 
+  // Each triangle beside one that is measured already, so that its samples are looked for near
+  // those of that one.
   void measure_reference()
   {
     if(s_.surface.is_planar()) return;
     collect_mesh();
-    const auto& triangles = s_.surface.triangles();
-    std::vector<Index> foot(s_.surface.points().size(), -1);
-    const int n = s_.surface.has_lift() ? 4 : 2;
-    for(Index t = 0; t < Index(triangles.size()); ++t) {
-      const std::array<Vec, 3> c = s_.surface.triangle(t);
-      Index hint = -1;
-      for(Index v : triangles[t])
-        if(foot[v] >= 0) hint = foot[v];
-      for(int i = 0; i <= n; ++i)
-        for(int j = 0; i + j <= n; ++j) {
-          const int k = n - i - j, corner = i == n ? 0 : j == n ? 1 : k == n ? 2 : -1;
-          if(corner >= 0 && foot[triangles[t][corner]] >= 0) continue;
-          const Vec p = (double(i) / n) * c[0] + (double(j) / n) * c[1] + (double(k) / n) * c[2];
-          measure_back(p, t, hint);
-          if(corner >= 0) foot[triangles[t][corner]] = hint;
-        }
-      measure_back((c[0] + c[1] + c[2]) / 3, t, hint);
+    const Index n = Index(s_.surface.triangles().size());
+    std::vector<Index> foot(s_.surface.points().size(), -1), queue;
+    std::vector<char> seen(std::size_t(n), 0);
+    const auto reach = [&](Index t) {
+      if(t < 0 || seen[t]) return;
+      seen[t] = 1;
+      queue.push_back(t);
+    };
+    for(Index first = 0; first < n; ++first) {
+      queue.clear();
+      reach(first);
+      for(std::size_t i = 0; i < queue.size(); ++i) {
+        measure_triangle(queue[i], foot);
+        for(int side = 0; side < 3; ++side) reach(s_.surface.neighbour(queue[i], side));
+      }
     }
     face_below_.resize(foot.size(), -1);
     for(std::size_t v = 0; v < foot.size(); ++v)
       if(foot[v] >= 0) face_below_[v] = face_of_[foot[v] / 2];
+  }
+
+  // `foot`: the triangle of the mesh nearest to a vertex of the reference, where it is known.
+  void measure_triangle(Index t, std::vector<Index>& foot)
+  {
+    const std::array<Index, 3> corners = s_.surface.triangles()[t];
+    const std::array<Vec, 3> c = s_.surface.triangle(t);
+    Index hint = -1;
+    for(Index v : corners)
+      if(foot[v] >= 0) hint = foot[v];
+    const int n = s_.surface.has_lift() ? 4 : 2;
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; i + j <= n; ++j) {
+        const int k = n - i - j, corner = i == n ? 0 : j == n ? 1 : k == n ? 2 : -1;
+        if(corner >= 0 && foot[corners[corner]] >= 0) continue;
+        measure_back((double(i) / n) * c[0] + (double(j) / n) * c[1] + (double(k) / n) * c[2], t,
+                     hint);
+        if(corner >= 0) foot[corners[corner]] = hint;
+      }
+    measure_back((c[0] + c[1] + c[2]) / 3, t, hint);
   }
 
   void measure_back(Vec p, Index t, Index& hint)
@@ -144,7 +168,7 @@ private:
     p = s_.surface.lifted(p, t);
     if(hint < 0) hint = mesh_.find(p, -1, direction);
     double d = distance(p, mesh_.project(p, hint));
-    if(d > from_reference_ || d > of_face[face_of_[hint / 2]]) {
+    if(d > from_reference_ || (d > care_ && d > of_face[face_of_[hint / 2]])) {
       Index nearer = mesh_.find_nearer(p, -1, direction, d);
       if(nearer >= 0) {
         d = (std::min)(d, distance(p, mesh_.project(p, nearer)));
@@ -168,6 +192,7 @@ private:
   }
 
   const Adaptation_state& s_;
+  double care_;
   std::vector<double> of_face;
   double to_reference_ = 0, from_reference_ = 0;
   Reference_surface mesh_;        // the faces, each cut in two

@@ -15,9 +15,9 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // One pass after the other over the stirred nodes: of all local operations about a node, the one
-// that lowers the energy most is committed.  Without a tolerance every commit lowers the energy by
-// at least energy.min_gain; with one it may rise by less than that.  Either way the number of
-// passes is bounded, and with it the work.
+// that lowers the energy most is committed, or the first that lowers it.  Without a tolerance every
+// commit lowers the energy by at least energy.min_gain; with one it may rise by less than that.
+// Either way the number of passes is bounded, and with it the work.
 class Local_improvement
 {
 public:
@@ -75,6 +75,7 @@ public:
       best_change = change;
       best_name = operation_name(c.kind);
       std::swap(trial_, best_);
+      if(options_.first_gain) break;
     }
     if(!best_name) return false;
     touched_.clear();

@@ -113,23 +113,40 @@ private:
   std::vector<char> used_;
 };
 
-inline std::size_t coarsen_by_chords(Adaptation_state& s, double min_jacobian)
+// Batches of chords with a little smoothing after each, which spreads the width they leave; more of
+// it where no chord is worth while any more, because that may show another one.  Ends with a batch
+// that removes less than `least_share` of the faces.
+inline std::size_t remove_chords(Adaptation_state& s, double min_jacobian, double least_share,
+                                 int max_batches)
+{
+  const double fine = s.smoothing.wake;
+  Chord_coarsening chords(s, min_jacobian);
+  std::size_t total = 0, since_smooth = 0;
+  for(int batch = 0; batch < max_batches; ++batch) {
+    const std::size_t removed = chords.batch();
+    total += removed;
+    since_smooth += removed;
+    if(since_smooth == 0) break;
+    s.smoothing.wake = removed > 0 ? 0.05 : fine;
+    smooth(s, removed > 0 ? 2 : 12);
+    s.smoothing.wake = fine;
+    if(double(removed) < least_share * double(s.mesh.number_of_faces())) break;
+    if(removed == 0) since_smooth = 0;
+  }
+  return total;
+}
+
+inline std::size_t coarsen_by_chords(Adaptation_state& s, double min_jacobian,
+                                     double least_share = 0)
 {
   // whole rows at the limit would leave no room for those a little above it
   const double tolerated = s.energy.tolerated;
   s.energy.tolerated *= 0.97;
   s.forget_energies();
-  Chord_coarsening chords(s, min_jacobian);
-  std::size_t total = 0;
-  for(int batch = 0; batch < 40; ++batch) {
-    const std::size_t removed = chords.batch();
-    total += removed;
-    if(removed == 0) break;
-    smooth(s, 12);
-  }
+  const std::size_t removed = remove_chords(s, min_jacobian, least_share, 60);
   s.energy.tolerated = tolerated;
   s.forget_energies();
-  return total;
+  return removed;
 }
 
 } // namespace internal

@@ -14,6 +14,10 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// Four times as many faces as the sizes ask for, or more: what is done now will hardly be seen in
+// the end.
+inline bool is_far_too_fine(const Adaptation_state& s) { return mean_square_ratio(s) < 0.25; }
+
 // Coarsening by whole chords first, then by local operations: closing a face of a regular mesh
 // makes irregular nodes, so the weight of valences is relaxed while faces are closed and set back
 // for the clean-up after it. Ends when a round closes fewer than 1 % of the faces.
@@ -23,15 +27,17 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
   for(int round = 0; round < max_rounds; ++round) {
     set_floors(s); // where the mesh is too coarse it stays as it is for now
     const Index before = s.mesh.number_of_faces();
+    const bool far = is_far_too_fine(s);
     {
       Phase_scope phase(s, "coarsening");
-      coarsen_by_chords(s, 0.35);
+      coarsen_by_chords(s, 0.35, far ? 0.04 : 0);
       s.energy.valence = 0.05;
       s.forget_energies();
       Improvement_options relaxed = clean;
       relaxed.open = false;
       relaxed.max_valence = 6;
       relaxed.min_jacobian = 0.3;
+      relaxed.first_gain = far;
       s.stir_all();
       Local_improvement(s, relaxed).passes(3);
       smooth(s, 3);

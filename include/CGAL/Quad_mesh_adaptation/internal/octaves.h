@@ -27,29 +27,111 @@ inline bool is_anything_frozen(const Adaptation_state& s)
   return false;
 }
 
+// Has so much of the mesh another size than wanted that hardly a face of it will stay?
+inline bool is_far_from_sizes(const Adaptation_state& s)
+{
+  const double right = fraction_below(s, 1) - fraction_below(s, 0.5);
+  return right < 0.7;
+}
+
+// The angle by which the surface turns across a face of the wanted size, by the faces on both sides
+// of half-edge h.
+inline double turn_per_face(const Adaptation_state& s, Index h)
+{
+  const Quad_complex& m = s.mesh;
+  const Vec a = area_vector(s.corners(m.face(h))),
+            b = area_vector(s.corners(m.face(m.opposite(h))));
+  const Vertex_record &u = m.vertex(m.origin(h)), &v = m.vertex(m.target(h));
+  const double way = 0.25 * (norm(a) + norm(b)) / distance(u.p, v.p); // between their centres
+  return std::atan2(norm(cross(a, b)), a * b) * 0.5 * (u.h + v.h) / way;
+}
+
+// How often the sizes may be doubled, at most `most` times, before the surface turns by too much
+// across a face for its shape to be found again, but for a small share of it.  Creases do not
+// count.
+inline int octaves_by_turn(const Adaptation_state& s, int most)
+{
+  constexpr double gentle_turn = 1.3, exempt = 0.02;
+  if(s.surface.is_planar()) return most;
+  const Quad_complex& m = s.mesh;
+  std::vector<std::size_t> edges(std::size_t(most) + 1, 0); // by the octaves they allow
+  std::size_t all = 0;
+  for(Index h = 0; h < 4 * m.face_end(); ++h) {
+    if(!m.is_face(m.face(h)) || m.opposite(h) < h || m.curve(h) >= 0) continue;
+    const double octaves = std::log2(gentle_turn / turn_per_face(s, h));
+    if(octaves < most) ++edges[octaves > 0 ? std::size_t(octaves) : 0];
+    ++all;
+  }
+  std::size_t steep = 0;
+  for(int octaves = 0; octaves < most; ++octaves) {
+    steep += edges[octaves];
+    if(double(steep) > exempt * double(all)) return octaves;
+  }
+  return most;
+}
+
+// What the sizes ask for: the ideal number of faces, and how steeply they grow.
+struct Demand
+{
+  double faces, slope;
+
+  explicit Demand(const Adaptation_state& s)
+  {
+    const double given = double(s.mesh.number_of_faces());
+    const Size_function size = [&s](const Vec& p) { return s.size.at(p); };
+    Size_growth_meter meter(size, (std::max)(2, int(std::ceil(std::sqrt(4096 / given)))));
+    for(Index f = 0; f < s.mesh.face_end(); ++f)
+      if(s.mesh.is_face(f)) meter.add(s.corners(f));
+    faces = meter.faces();
+    slope = std::sqrt(meter.result().mean_square_slope); // of all those faces
+  }
+
+  // Can a mesh for twice the sizes still follow them?
+  bool is_gentle_doubled() const { return 2 * slope <= 0.3; }
+
+  void double_sizes()
+  {
+    faces /= 4;
+    slope *= 2;
+  }
+};
+
 // How often the sizes may be doubled, at most `most` times, for a first solution that is then
 // halved everywhere as often.  Halving keeps the pattern: a mesh that has as many faces as wanted
 // everywhere has them again, with as many irregular nodes in four times the faces and at a fraction
-// of the work. Two things set a limit.  Where sizes grow, rows end; halving doubles each row that
+// of the work.  Two things set a limit.  Where sizes grow, rows end; halving doubles each row that
 // ends but adds no place where one does, so the first solution must follow the sizes well already.
-// And it must not be coarser than the input, which may be as fine as it is for a reason.
+// And it is coarser than the input only where little of that would stay anyway and its shape can
+// be found again.
 inline int octaves_above(const Adaptation_state& s, int most)
 {
-  constexpr double least_faces = 400 /* of the whole */, gentle_slope = 0.3;
+  constexpr double least_faces = 400; // of the whole
   if(most <= 0 || is_anything_frozen(s)) return 0;
-  const Quad_complex& m = s.mesh;
-  const double given = double(m.number_of_faces());
-  const Size_function size = [&s](const Vec& p) { return s.size.at(p); };
-  Size_growth_meter meter(size, (std::max)(2, int(std::ceil(std::sqrt(4096 / given)))));
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f)) meter.add(s.corners(f));
-  double faces = meter.faces(), slope = std::sqrt(meter.result().mean_square_slope);
-  const double least = (std::max)(least_faces / double(s.copies), 1.5 * given);
+  const double given = double(s.mesh.number_of_faces());
+  const int coarser = is_far_from_sizes(s) ? octaves_by_turn(s, most) : 0;
+  Demand demand(s);
   int octaves = 0;
-  while(octaves < most && faces >= 4 * least && 2 * slope <= gentle_slope) {
+  while(octaves < most && (octaves < coarser || demand.faces >= 6 * given) &&
+        demand.faces >= 4 * least_faces / double(s.copies) && demand.is_gentle_doubled()) {
     ++octaves;
-    faces /= 4;
-    slope *= 2;
+    demand.double_sizes();
+  }
+  return octaves;
+}
+
+// The same for a mesh that is only refined: no face may be cut that is small enough.
+inline int octaves_below_faces(const Adaptation_state& s, int most)
+{
+  if(most <= 0 || is_anything_frozen(s)) return 0;
+  double least = std::exp2(most);
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) least = (std::min)(least, s.size_ratio(f));
+  Demand demand(s);
+  int octaves = 0;
+  while(octaves < most && least >= 2 * 0.75 && demand.is_gentle_doubled()) {
+    ++octaves;
+    least /= 2;
+    demand.double_sizes();
   }
   return octaves;
 }

@@ -27,6 +27,7 @@ struct Improvement_options
   int sweeps = 2;                // of the local relaxation
   double sweep_below = 8;        // relax further only what is this close to a gain after one sweep
   double tolerance = 0;          // an operation may raise the energy by this much
+  bool first_gain = false;       // the first operation that gains will do, else the best
   // Swaps and rotations are tried only where the valences gain this much: the others hardly ever
   // pay, one in three hundred.
   double valence_gain = 1;

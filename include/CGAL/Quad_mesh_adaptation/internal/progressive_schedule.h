@@ -4,17 +4,21 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
+#include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -59,26 +63,6 @@ inline void refine_progressively(Adaptation_state& s, const Improvement_options&
   clear_floors(s);
 }
 
-// The same without clean-up: templates and smoothing only.  An edge that no pass can split, because
-// parity and constraints forbid it, does not keep the loop going.  Smoothing lengthens a few edges
-// beyond the limit again, so that after it a few faces would be cut in each of some twenty passes
-// over the whole mesh: where few are left they are cut without.
-inline void refine_without_clean_up(Adaptation_state& s, const Marking_options& marking,
-                                    std::size_t max_passes)
-{
-  constexpr std::size_t few = 100; // one face in so many
-  for(std::size_t pass = 0; pass < max_passes; ++pass) {
-    Phase_scope phase(s, "refinement");
-    const std::size_t cut = refine_once(s, marking);
-    if(cut == 0) break;
-    ++s.iterations;
-    set_floors(s);
-    if(few * cut >= std::size_t(s.mesh.number_of_faces())) smooth(s, 3);
-  }
-  clear_floors(s);
-  smooth(s, 5);
-}
-
 // Clean-up that may raise the energy by a little, from round to round by less (threshold accepting,
 // Dueck and Scheuer 1990).  It carries irregular nodes over the small barriers between them, so
 // that pairs meet and vanish, which strict descent never does.  Each round visits a node at most
@@ -112,51 +96,6 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
   s.smoothing.hinge = hinge;
 }
 
-// Is every face within its size, with shapes and valences as this schedule leaves them?
-inline bool is_good(const Adaptation_state& s)
-{
-  const Quad_complex& m = s.mesh;
-  if(!faces_too_large(s).empty()) return false;
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f) && scaled_jacobian(s.corners(f)) < s.smoothing.min_corner) return false;
-  for(Index v = 0; v < m.vertex_end(); ++v)
-    if(m.is_vertex(v) && m.vertex(v).carrier == Carrier::surface &&
-       (m.vertex(v).faces < 3 || m.vertex(v).faces > 5))
-      return false;
-  return true;
-}
-
-// Is there nothing to do?
-inline bool is_adapted(const Adaptation_state& s) { return is_good(s) && !is_too_fine(s); }
-
-// The energy of a good mesh must fall below this share for the mesh to be changed.
-constexpr double worth_a_change = 0.92;
-
-// A mesh that was good may come out no better, because its sizes leave no more to gain; then it is
-// left as it was, so that adapting an adapted mesh again changes nothing.
-class Good_mesh_keeper
-{
-public:
-  explicit Good_mesh_keeper(Adaptation_state& s) : s_(s)
-  {
-    if(!is_good(s)) return;
-    mesh_.emplace(s);
-    energy_ = s.total_energy();
-  }
-
-  void restore_unless_better()
-  {
-    if(!mesh_) return;
-    const bool better = s_.total_energy() < worth_a_change * energy_;
-    if(!better || !faces_too_large(s_).empty()) mesh_->restore();
-  }
-
-private:
-  Adaptation_state& s_;
-  std::optional<Mesh_keeper> mesh_;
-  double energy_ = 0;
-};
-
 // From any mesh to one that has the sizes of now nearly everywhere.
 inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean,
                            std::size_t max_passes, const Schedule_ingredients& use)
@@ -178,10 +117,27 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
   if(use.local_operations) polish(s, clean, 5, 2);
 }
 
-// Has a mesh that will be halved about as many faces as its sizes ask for?
-inline bool is_worth_halving(const Adaptation_state& s)
+// Is no part of the reference surface so far from the faces that halving them would not find it
+// again, as tips are where faces are too large for them?
+inline bool covers_surface(const Adaptation_state& s)
 {
-  return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003;
+  constexpr double far = 0.3; // edges; across a face that turns by t it is t / 4
+  if(s.surface.is_planar() && s.curves.empty()) return true;
+  std::vector<double> allowed(s.mesh.face_end(), (std::numeric_limits<double>::infinity)());
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) allowed[f] = far * mean_edge_length(s.corners(f));
+  const Distance_measure distances(s, *std::min_element(allowed.begin(), allowed.end()));
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && distances.of(f) > allowed[f]) return false;
+  return true;
+}
+
+// Has a mesh that will be halved about as many faces as its sizes ask for, and has it kept the
+// shape where it is coarser than the input?
+inline bool is_worth_halving(const Adaptation_state& s, Index given_faces)
+{
+  return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003 &&
+         (s.mesh.number_of_faces() > given_faces || covers_surface(s));
 }
 
 // The same for sizes doubled as often as makes sense.  A solution that takes far too many faces
@@ -192,12 +148,14 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
 {
   const int most = use.octaves ? int((std::min)(max_passes, std::size_t(30))) : 0;
   int octaves = octaves_above(s, most);
+  if(octaves == 0) stay_near_work(s);
+  const Index given_faces = s.mesh.number_of_faces();
   s.scale_sizes(std::exp2(octaves));
   for(; octaves > 0; --octaves) {
     Mesh_keeper input(s);
     approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
     if(use.last_resorts) enforce_sizes(s, clean, 16);
-    if(is_worth_halving(s)) return octaves;
+    if(is_worth_halving(s, given_faces)) return octaves;
     input.restore();
     s.scale_sizes(0.5);
   }
@@ -232,6 +190,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   s.progress = 0.9;
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
   input.restore_unless_better();
+  s.region.clear();
   s.progress = 1;
 }
 

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
+#include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 
 #include <algorithm>
@@ -25,9 +26,8 @@ inline double fraction_below(const Adaptation_state& s, double ratio)
   return double(below) / double(s.mesh.number_of_faces());
 }
 
-// Are there clearly more faces than the sizes ask for?  Either everywhere a few, by the mean square
-// of the size ratios, or many in some place.
-inline bool is_too_fine(const Adaptation_state& s)
+// Mean square of the size ratios, those above 1 taken as 1: what share of the faces would do.
+inline double mean_square_ratio(const Adaptation_state& s)
 {
   double sum = 0;
   for(Index f = 0; f < s.mesh.face_end(); ++f)
@@ -35,7 +35,13 @@ inline bool is_too_fine(const Adaptation_state& s)
       const double r = (std::min)(s.size_ratio(f), 1.);
       sum += r * r;
     }
-  return sum < 0.75 * double(s.mesh.number_of_faces()) || fraction_below(s, 0.7) > 0.01;
+  return sum / double(s.mesh.number_of_faces());
+}
+
+// Are there clearly more faces than the sizes ask for, everywhere a few or many in some place?
+inline bool is_too_fine(const Adaptation_state& s)
+{
+  return mean_square_ratio(s) < 0.75 || fraction_below(s, 0.7) > 0.01;
 }
 
 // Is a face held too large by an edge that must not change?
@@ -50,15 +56,39 @@ inline bool is_beyond_help(const Adaptation_state& s, Index f)
   return false;
 }
 
+// Where few faces ask for splits, or only a part of the mesh is worked on, the best that stay near;
+// else, or where there is no such solution, empty.
+inline std::vector<char> even_marks_near_wishes(const Adaptation_state& s, std::vector<double> wish,
+                                                double bend)
+{
+  const Quad_complex& m = s.mesh;
+  constexpr std::size_t few = 100; // one face in so many
+  constexpr int rings = 12;
+  std::vector<char> near = s.all_to_work_on();
+  if(s.region.empty()) {
+    std::vector<Index> asking;
+    for(Index f = 0; f < m.face_end(); ++f)
+      if(m.is_face(f) && *std::min_element(wish.begin() + 4 * f, wish.begin() + 4 * f + 4) < 0)
+        asking.push_back(f);
+    if(few * asking.size() > std::size_t(m.number_of_faces())) return {};
+    near = nodes_around(m, asking, rings);
+  }
+  for(Index h = 0; h < 4 * m.face_end(); ++h)
+    if(m.is_face(m.face(h)) && !(near[m.origin(h)] && near[m.target(h)]))
+      wish[h] = std::numeric_limits<double>::infinity();
+  return even_marks(m, wish, bend);
+}
+
 // One conforming pass over the whole mesh: edges are halved where the size asks for it.
 // Returns the number of faces cut.
 inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
                                std::vector<Index>* infeasible = nullptr)
 {
   s.check_cancelled();
-  const std::vector<char> split = even_marks(s.mesh, split_wishes(s, o), o.bend, infeasible);
-  if(split.empty()) return 0;
-  return Split_templates(s, split)();
+  const std::vector<double> wish = split_wishes(s, o);
+  std::vector<char> split = even_marks_near_wishes(s, wish, o.bend);
+  if(split.empty()) split = even_marks(s.mesh, wish, o.bend, infeasible);
+  return split.empty() ? 0 : Split_templates(s, split)();
 }
 
 // 2-refinement of whole faces: all their edges are split, and the transition templates around

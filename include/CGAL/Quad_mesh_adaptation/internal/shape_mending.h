@@ -109,7 +109,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
     if(round % 4 == 3) split();
     smooth_near(s, faces_to_mend(s, shape_floor));
     mending.tolerance = round % 3 == 1 ? 1.5 : 0; // to get past what keeps it bad
-    s.stirred = nodes_around(s, faces_to_mend(s, shape_floor), 2);
+    s.stirred = nodes_around(s.mesh, faces_to_mend(s, shape_floor), 2);
     const std::size_t done = Local_improvement(s, mending).passes(3);
     smooth_near(s, faces_to_mend(s, shape_floor));
     if(done == 0 && round > 3) break;

@@ -38,33 +38,6 @@ inline std::vector<Index> faces_to_press(const Adaptation_state& s)
   return list;
 }
 
-// Nodes of the given faces and `rings` rings of faces around them.
-inline std::vector<char> nodes_around(const Adaptation_state& s, const std::vector<Index>& faces,
-                                      int rings)
-{
-  const Quad_complex& m = s.mesh;
-  std::vector<char> in(m.vertex_end(), 0);
-  std::vector<Index> front;
-  const auto reach = [&](Index v) {
-    if(in[v]) return;
-    in[v] = 1;
-    front.push_back(v);
-  };
-  for(Index f : faces)
-    for(Index v : m.quad(f)) reach(v);
-  std::vector<Index> out;
-  for(int ring = 0; ring < rings && !front.empty(); ++ring) {
-    std::vector<Index> now;
-    now.swap(front);
-    for(Index v : now) {
-      m.outgoing(v, out);
-      for(Index h : out)
-        for(Index u : m.quad(m.face(h))) reach(u);
-    }
-  }
-  return in;
-}
-
 // The last resort: faces still too large get the pair of edges that is longest against the size
 // split, wherever the T-join then leads the splits, within `rings` rings of faces.
 inline std::size_t split_within(Adaptation_state& s, const std::vector<Index>& faces, int rings)
@@ -73,7 +46,7 @@ inline std::size_t split_within(Adaptation_state& s, const std::vector<Index>& f
   o.threshold = 1.4; // others only where they are far too long
   o.bend = 0.1;
   const Quad_complex& m = s.mesh;
-  const std::vector<char> near = nodes_around(s, faces, rings);
+  const std::vector<char> near = nodes_around(s.mesh, faces, rings);
   std::vector<double> wish(4 * std::size_t(m.face_end()), std::numeric_limits<double>::infinity());
   const auto low = [&](Index h) {
     const Index opposite = m.opposite(h);
@@ -104,7 +77,7 @@ inline std::size_t split_too_large(Adaptation_state& s, const std::vector<Index>
 // Smoothing about some faces, and nowhere else unless it spreads from there.
 inline void smooth_near(Adaptation_state& s, const std::vector<Index>& faces, int rings = 3)
 {
-  s.restless = nodes_around(s, faces, rings);
+  s.restless = nodes_around(s.mesh, faces, rings);
   smooth(s, 6);
 }
 
@@ -117,7 +90,7 @@ inline void press_down(Adaptation_state& s, const Improvement_options& o,
   smooth_near(s, large, rings);
   const std::vector<Index> left = faces_to_press(s);
   if(left.empty()) return;
-  s.stirred = nodes_around(s, left, 2);
+  s.stirred = nodes_around(s.mesh, left, 2);
   Local_improvement(s, o).passes(4);
   smooth_near(s, faces_to_press(s), rings);
 }
@@ -131,7 +104,7 @@ public:
   void add(const std::vector<Index>& faces)
   {
     constexpr int reach = 6; // rings
-    const std::vector<char> near = nodes_around(s_, faces, reach);
+    const std::vector<char> near = nodes_around(s_.mesh, faces, reach);
     touched_.resize(near.size(), 1);
     for(std::size_t v = 0; v < near.size(); ++v) touched_[v] = char(touched_[v] | near[v]);
   }

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_SCHEDULE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_SCHEDULE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
+#include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Refinement with templates and smoothing only.  An edge that no pass can split, because parity and
+// constraints forbid it, does not keep the loop going.  Smoothing lengthens a few edges beyond the
+// limit again, so that after it a few faces would be cut in each of some twenty passes over the
+// whole mesh: where few are left they are cut without.  Before the last pass a little smoothing
+// will do, since all nodes move again.
+inline void refine_by_templates(Adaptation_state& s, const Marking_options& marking,
+                                std::size_t max_passes)
+{
+  constexpr std::size_t few = 100; // one face in so many
+  const double fine = s.smoothing.wake;
+  s.smoothing.wake = 0.02;
+  for(std::size_t pass = 0; pass < max_passes; ++pass) {
+    Phase_scope phase(s, "refinement");
+    const std::size_t cut = refine_once(s, marking);
+    if(cut == 0) break;
+    ++s.iterations;
+    if(few * cut < std::size_t(s.mesh.number_of_faces())) continue;
+    set_floors(s);
+    smooth(s, 2);
+  }
+  clear_floors(s);
+  s.smoothing.wake = 0.01;
+  smooth(s, 3);
+  s.smoothing.wake = fine;
+}
+
+inline double least_scaled_jacobian(const Adaptation_state& s)
+{
+  double least = 1;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) least = (std::min)(least, scaled_jacobian(s.corners(f)));
+  return least;
+}
+
+// The same by octaves: the passes that cut some faces only work on the sizes doubled as often as
+// no face asks for less, where the mesh has few faces yet, and each octave ends with all faces cut
+// in four, which needs no decision and keeps shapes; bad ones, too, so then it is not done.
+inline void refine_by_octaves(Adaptation_state& s, const Marking_options& marking,
+                              std::size_t max_passes)
+{
+  constexpr double well_shaped = 0.2;
+  const std::size_t last = s.iterations + max_passes;
+  int octaves = octaves_below_faces(s, int((std::min)(max_passes, std::size_t(30))));
+  s.scale_sizes(std::exp2(octaves));
+  Mesh_keeper input(s);
+  refine_by_templates(s, marking, max_passes - std::size_t(octaves));
+  if(octaves > 0 && least_scaled_jacobian(s) < well_shaped) {
+    input.restore();
+    s.scale_sizes(std::exp2(-octaves));
+    refine_by_templates(s, marking, max_passes);
+    return;
+  }
+  for(; octaves > 0; --octaves) {
+    halve_all(s);
+    refine_by_templates(s, marking, last - s.iterations - std::size_t(octaves - 1));
+  }
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_SCHEDULE_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_TO_DO_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_TO_DO_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+inline bool has_good_valence(const Vertex_record& r)
+{
+  return r.carrier != Carrier::surface || (r.faces >= 3 && r.faces <= 5);
+}
+
+// Is face f within its size, with shape and valences as the default schedule leaves them?
+inline bool is_good(const Adaptation_state& s, Index f)
+{
+  if(s.size_ratio(f) > size_tolerance) return false;
+  if(scaled_jacobian(s.corners(f)) < s.smoothing.min_corner) return false;
+  const Quad q = s.mesh.quad(f);
+  return std::all_of(q.begin(), q.end(),
+                     [&](Index v) { return has_good_valence(s.mesh.vertex(v)); });
+}
+
+inline bool is_good(const Adaptation_state& s)
+{
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && !is_good(s, f)) return false;
+  return true;
+}
+
+// Mean square of the size ratios about each node.
+inline std::vector<float> mean_squares_about_nodes(const Adaptation_state& s,
+                                                   const std::vector<float>& of_faces)
+{
+  std::vector<float> sum(s.mesh.vertex_end(), 0);
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f))
+      for(Index v : s.mesh.quad(f)) sum[v] += of_faces[f] / float(s.mesh.vertex(v).faces);
+  return sum;
+}
+
+// Faces among which there are clearly more than the sizes ask for, by the mean over those about the
+// corners of those about its corners.
+inline std::vector<char> faces_among_too_many(const Adaptation_state& s)
+{
+  constexpr float too_many = 0.45f;
+  const Quad_complex& m = s.mesh;
+  std::vector<float> square(m.face_end(), 0);
+  for(Index f = 0; f < m.face_end(); ++f)
+    if(m.is_face(f)) square[f] = float((std::min)(s.size_ratio(f) * s.size_ratio(f), 1.));
+  for(int time = 0; time < 2; ++time) {
+    const std::vector<float> about = mean_squares_about_nodes(s, square);
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      const Quad q = m.quad(f);
+      square[f] = 0.25f * (about[q[0]] + about[q[1]] + about[q[2]] + about[q[3]]);
+    }
+  }
+  std::vector<char> result(m.face_end(), 0);
+  for(Index f = 0; f < m.face_end(); ++f) result[f] = m.is_face(f) && square[f] < too_many;
+  return result;
+}
+
+// Faces about which there is something to do.
+inline std::vector<Index> faces_to_work_on(const Adaptation_state& s)
+{
+  const std::vector<char> too_many = faces_among_too_many(s);
+  std::vector<Index> list;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && (too_many[f] || !is_good(s, f))) list.push_back(f);
+  return list;
+}
+
+// Is there nothing to do?
+inline bool is_adapted(const Adaptation_state& s)
+{
+  return !is_too_fine(s) && faces_to_work_on(s).empty();
+}
+
+// Is there something to do about few of the faces only?
+inline bool is_local(const Adaptation_state& s, const std::vector<Index>& work)
+{
+  constexpr std::size_t few = 10; // one face in so many
+  return !work.empty() && few * work.size() <= std::size_t(s.mesh.number_of_faces());
+}
+
+// Where that is so all else is left alone, so that a small change costs little.
+inline void stay_near_work(Adaptation_state& s)
+{
+  constexpr int rings = 8;
+  const std::vector<Index> work = faces_to_work_on(s);
+  if(is_local(s, work)) s.region = nodes_around(s.mesh, work, rings);
+}
+
+// The energy of the faces to work on in a good mesh must fall by this share of it for the mesh to
+// be changed, and by the other where that leaves faces too large.
+constexpr double worth_a_change = 0.08, worth_a_fault = 0.5;
+
+// A mesh that was good may come out no better, because its sizes leave no more to gain; then it is
+// left as it was, so that adapting an adapted mesh again changes nothing.
+class Good_mesh_keeper
+{
+public:
+  explicit Good_mesh_keeper(Adaptation_state& s) : s_(s)
+  {
+    if(!is_good(s)) return;
+    mesh_.emplace(s);
+    energy_ = at_stake_ = s.total_energy();
+    const std::vector<Index> work = faces_to_work_on(s);
+    if(!is_local(s, work)) return;
+    at_stake_ = 0;
+    for(Index f : work) at_stake_ += s.cached_energy(f);
+  }
+
+  void restore_unless_better()
+  {
+    if(!mesh_) return;
+    const double share = faces_too_large(s_).empty() ? worth_a_change : worth_a_fault;
+    if(energy_ - s_.total_energy() < share * at_stake_) mesh_->restore();
+  }
+
+private:
+  Adaptation_state& s_;
+  std::optional<Mesh_keeper> mesh_;
+  double energy_ = 0, at_stake_ = 0; // of all faces and nodes, and of those to work on
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_TO_DO_H

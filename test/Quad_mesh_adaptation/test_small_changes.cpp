@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Where sizes change in a small place, the mesh changes there and nowhere else.
+
+#include "support/zoo_mesh.h"
+
+#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <tuple>
+
+namespace {
+
+namespace QMA = CGAL::Quad_mesh_adaptation;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+double distance(const Point& a, const Point& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
+
+// Another size within a tenth of the plate's width of its centre, or of any other place.
+struct Change
+{
+  Point where;
+  double factor;
+  double operator()(const Point& p) const
+  {
+    const double d = distance(p, where);
+    return d < 0.5 ? factor : d < 1 ? factor + (1 - factor) * (2 * d - 1) : 1.;
+  }
+};
+
+double graded(const Point& p) { return 0.12 + 0.01 * p.x(); }
+
+Mesh adapted_plate()
+{
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(shape_zoo::plate(10, 10));
+  QMA::adapt_quad_mesh(graded, mesh, QMA::symmetry(false));
+  return mesh;
+}
+
+// The share of vertices at least 3 away that are where they were.
+double kept_far_away(const Mesh& before, const Mesh& after, const Point& where)
+{
+  std::set<std::tuple<double, double, double>> places;
+  for(auto v : before.vertices()) {
+    const Point& p = before.point(v);
+    places.insert({ p.x(), p.y(), p.z() });
+  }
+  std::size_t far = 0, kept = 0;
+  for(auto v : after.vertices()) {
+    const Point& p = after.point(v);
+    if(distance(p, where) < 3) continue;
+    ++far;
+    kept += places.count({ p.x(), p.y(), p.z() });
+  }
+  return double(kept) / double(far);
+}
+
+} // namespace
+
+TEST(SmallChange, StaysLocal)
+{
+  const Mesh before = adapted_plate();
+  const Point where(4, 5, 0);
+  for(double factor : { 0.5, 2. }) {
+    SCOPED_TRACE(factor);
+    Mesh mesh = before;
+    const Change change{ where, factor };
+    const auto size = [&](const Point& p) { return graded(p) * change(p); };
+    const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::symmetry(false));
+    EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
+    EXPECT_GE(r.after.efficiency, 0.85);
+    EXPECT_LE(r.after.max_valence, 5u);
+    EXPECT_GT(kept_far_away(before, mesh, where), 0.95);
+    // it is made at all: within 15 % of what the change asks for
+    const double wanted = QMA::measure_quad_mesh(mesh, size).ideal_number_of_faces -
+                          QMA::measure_quad_mesh(before, graded).ideal_number_of_faces;
+    const double made = double(mesh.number_of_faces()) - double(before.number_of_faces());
+    EXPECT_NEAR(made / wanted, 1, 0.35);
+  }
+}
+
+// Nothing changed, nothing done, but for few faces.
+TEST(SmallChange, None)
+{
+  const Mesh before = adapted_plate();
+  Mesh mesh = before;
+  QMA::adapt_quad_mesh(graded, mesh, QMA::symmetry(false));
+  EXPECT_GT(kept_far_away(before, mesh, Point(-9, 0, 0)), 0.9);
+}
