@@ -15,8 +15,12 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // Four times as many faces as the sizes ask for, or more: what is done now will hardly be seen in
-// the end.
-inline bool is_far_too_fine(const Adaptation_state& s) { return mean_square_ratio(s) < 0.25; }
+// the end, so that in a large mesh quick work is good enough.
+inline bool is_far_too_fine(const Adaptation_state& s)
+{
+  constexpr Index large = 5000; // faces
+  return s.mesh.number_of_faces() > large && mean_square_ratio(s) < 0.25;
+}
 
 // Coarsening by whole chords first, then by local operations: closing a face of a regular mesh
 // makes irregular nodes, so the weight of valences is relaxed while faces are closed and set back
