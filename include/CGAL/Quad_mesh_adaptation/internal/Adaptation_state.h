@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPTATION_STATE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPTATION_STATE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Coverage.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Feature_curve.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_surface.h>
@@ -54,6 +55,7 @@ struct Adaptation_state
   std::vector<Index> reference_patch;        // by the patch of a face: the surface's; -1: not known
   std::function<Vec(const Vec&)> curve_lift; // from a curve's polyline to the true curve, if set
   Size_sampler size;
+  Coverage coverage; // of bends of the surface by the mesh, see prepare_coverage()
   Energy_weights energy;
   Smoothing_weights smoothing;
 
@@ -207,6 +209,7 @@ struct Adaptation_state
   void forget_faces()
   {
     forget_sizes();
+    coverage.lose();
     factor_cache.clear();
     factor_age.clear();
   }
@@ -222,6 +225,9 @@ struct Adaptation_state
     }
     return ratio_cache[f];
   }
+
+  // Before anything that moves nodes or replaces faces; next to nothing if nothing has changed.
+  void prepare_coverage() { coverage.prepare(mesh, surface, size, reference_patch); }
 
   // From now on everything works against `factor` times the sizes of now.
   void scale_sizes(double factor)

@@ -190,6 +190,9 @@ private:
     return 0.25 *
            (nodes[q.v[0]].floor + nodes[q.v[1]].floor + nodes[q.v[2]].floor + nodes[q.v[3]].floor);
   }
+  template <typename Visit>
+  void for_each_witness(const Visit& visit);
+  void gather_near(Index f);
   void write_faces(std::vector<Index>& face_of);
   void write_links(const std::vector<Index>& face_of);
   void write_nodes(const std::vector<Index>& face_of, std::vector<Index>* touched);
@@ -204,6 +207,8 @@ private:
   std::vector<int> fan_count_, old_fan_count_, reached_, degree_;
   std::vector<int> corner_end_, corner_list_; // new half-edges by origin
   std::vector<double> factors_;               // wanted size over sum of nodal sizes, by quad
+  std::vector<int> near_;                     // quads about an old face
+  std::vector<Corners> near_corners_;
   double energy_before_ = 0;
 };
 

@@ -47,6 +47,7 @@ public:
   {
     if(!is_asked_for()) return;
     limit_ = std::make_unique<Distance_limit>(s_, allowed_);
+    s_.coverage.set_bound(allowed_);
     refresh();
   }
 
@@ -79,6 +80,7 @@ private:
     for(Index v = 0; v < s_.mesh.vertex_end(); ++v)
       if(s_.mesh.is_vertex(v)) s_.mesh.vertex(v).h = s_.size.at(s_.mesh.point(v));
     s_.forget_sizes();
+    s_.coverage.forget();
     s_.disturb_all();
   }
 

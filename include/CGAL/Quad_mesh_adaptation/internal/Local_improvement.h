@@ -29,6 +29,7 @@ public:
   // One pass over the stirred nodes; returns the number of operations committed.
   std::size_t pass()
   {
+    s_.prepare_coverage();
     std::size_t done = 0;
     std::vector<char> now;
     now.swap(s_.stirred);

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_NODE_RELAXATION_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/barycentric_weights.h>
 
 #include <array>
 #include <cmath>
@@ -45,6 +46,14 @@ struct Star_face
   double target(double h) const { return (std::max)(factor * (sizes + h), floor); }
 };
 
+// A witness of the reference surface on a face of the star, which pulls that face towards itself.
+struct Pull
+{
+  const Witness* witness;
+  int face;       // number in the star
+  bool from_node; // is the face cut in two from the node?  Else between its neighbours.
+};
+
 // Value, gradient and Hessian in the (at most two) directions a node may move in.
 struct Local_model
 {
@@ -63,6 +72,7 @@ public:
   explicit Node_relaxation(const Adaptation_state& state) : s_(state) {}
 
   std::vector<Star_face>& star() { return star_; }
+  std::vector<Pull>& pulls() { return pulls_; }
 
   // Moves r to a better place and tells whether it did.  No corner of the star gets worse than
   // the worst before, or than the floor (smoothing.min_corner).
@@ -180,7 +190,35 @@ private:
       e.value += size_cost(ratio, d1, d2);
       if(m) add_size_slopes(f, t, h, ratio, d1, d2, *m);
     }
+    for(const Pull& p : pulls_) add_pull(p, r.p, e, m);
     return e;
+  }
+
+  // The point of a face that is nearest to its witness moves with the node by its weight there.
+  void add_pull(const Pull& pull, const Vec& x, Evaluation& e, Local_model* m) const
+  {
+    const Star_face& f = star_[pull.face];
+    const Witness& w = *pull.witness;
+    const std::array<Vec, 3> a = { x, f.q1, pull.from_node ? f.q2 : f.q3 },
+                             b = { pull.from_node ? x : f.q1, f.q2, f.q3 };
+    const Vec qa = closest_on_triangle(w.p, a).point;
+    const double da = (w.p - qa).squared_length(), enough = w.allowed * w.allowed;
+    if(da <= enough) return;
+    const Vec qb = closest_on_triangle(w.p, b).point;
+    const double db = (w.p - qb).squared_length();
+    if(db <= enough) return;
+    const bool first = da <= db;
+    const Vec q = first ? qa : qb;
+    const double d = std::sqrt(first ? da : db), over = (d - w.allowed) * w.inverse_h;
+    e.value += w.cost_at(d);
+    if(!m || (!first && !pull.from_node)) return;
+    const double share = barycentric_weights(first ? a : b, q)[0] * w.inverse_h / d;
+    const double s[2] = { share * ((q - w.p) * t_[0]), share * ((q - w.p) * t_[1]) };
+    const double c1 = 2 * Witness::weight * (std::min)(over, 1.), c2 = 2 * Witness::weight;
+    for(int k = 0; k < 2; ++k) m->g[k] += c1 * s[k];
+    m->H[0] += c2 * s[0] * s[0];
+    m->H[1] += c2 * s[0] * s[1];
+    m->H[2] += c2 * s[1] * s[1];
   }
 
   // Largest size ratio of the star with the node at x, by the exact sizes.
@@ -347,6 +385,7 @@ private:
 
   const Adaptation_state& s_;
   std::vector<Star_face> star_;
+  std::vector<Pull> pulls_;
   double worst_ = 1;
   mutable Vec t_[2];
 };

@@ -102,10 +102,20 @@ inline void Cavity::write_nodes(const std::vector<Index>& face_of, std::vector<I
 
 inline void Cavity::commit(std::vector<Index>* touched)
 {
-  std::vector<Index> face_of;
+  struct Covered
+  {
+    Index witness;
+    int quad;
+    double cost;
+  };
+  std::vector<Covered> covered;
+  for_each_witness([&](Index w, int quad, double cost) { covered.push_back({ w, quad, cost }); });
+  std::vector<Index> face_of, taken;
+  for(Index f : old_faces) s_.coverage.take(f, taken);
   write_faces(face_of);
   write_links(face_of);
   write_nodes(face_of, touched);
+  for(const Covered& c : covered) s_.coverage.give(c.witness, face_of[c.quad], c.cost);
   clear();
 }
 

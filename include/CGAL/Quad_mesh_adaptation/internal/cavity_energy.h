@@ -15,7 +15,7 @@ namespace internal {
 inline void Cavity::measure_before()
 {
   energy_before_ = 0;
-  for(Index f : old_faces) energy_before_ += s_.cached_energy(f);
+  for(Index f : old_faces) energy_before_ += s_.cached_energy(f) + s_.coverage.cost(f);
   for(std::size_t n = 0; n < nodes.size(); ++n)
     if(ids[n] >= 0) energy_before_ += s_.valence_energy(s_.mesh.vertex(ids[n]).faces, nodes[n]);
 }
@@ -35,7 +35,38 @@ inline double Cavity::energy_after()
     if(new_corners_[n] > 0) e += s_.valence_energy(total_corners_[n], nodes[n]);
   for(const Cavity_quad& q : quads)
     e += s_.face_energy(corners_of(q), reference_of(q), floor_of(q));
+  for_each_witness([&](Index, int, double cost) { e += cost; });
   return e;
+}
+
+// Calls visit(witness, quad, cost) for the witnesses of the old faces, with the quad that covers
+// each best of those that share a node with its old face.
+template <typename Visit>
+void Cavity::for_each_witness(const Visit& visit)
+{
+  if(s_.coverage.is_empty()) return;
+  for(Index f : old_faces) {
+    near_.clear();
+    s_.coverage.for_each(f, [&](Index w, const Witness& witness) {
+      if(near_.empty()) gather_near(f);
+      const std::pair<double, std::size_t> best = best_cover(witness, near_corners_);
+      visit(w, near_[best.second], best.first);
+    });
+  }
+}
+
+inline void Cavity::gather_near(Index f)
+{
+  near_corners_.clear();
+  for(Index v : s_.mesh.quad(f)) {
+    const int n = local_of_[v];
+    for(int i = first_corner(n); i < corner_end_[n]; ++i) near_.push_back(corner_list_[i] >> 2);
+  }
+  if(near_.empty())
+    for(int k = 0; k < int(quads.size()); ++k) near_.push_back(k);
+  std::sort(near_.begin(), near_.end());
+  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+  for(int k : near_) near_corners_.push_back(corners_of(quads[k]));
 }
 
 // The same with sizes interpolated between the nodes, by the factor of the face each quad comes

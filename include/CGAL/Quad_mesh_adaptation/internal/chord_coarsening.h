@@ -29,6 +29,7 @@ public:
   // One batch of chords that share no node; returns the number of faces removed.
   std::size_t batch()
   {
+    s_.prepare_coverage();
     used_.assign(s_.mesh.vertex_end(), 0);
     std::size_t removed = 0;
     for(const auto& candidate : candidates()) {

@@ -8,11 +8,50 @@
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
+
+// Witnesses of the faces about v, for a relaxation.
+inline void gather_pulls(const Adaptation_state& s, Index v, std::vector<Pull>& pulls)
+{
+  pulls.clear();
+  if(s.coverage.is_empty()) return;
+  const Quad_complex& m = s.mesh;
+  const Index start = m.vertex(v).halfedge;
+  Index h = start;
+  int number = 0;
+  do {
+    s.coverage.for_each(m.face(h), [&](Index, const Witness& w) {
+      pulls.push_back({ &w, number, (h & 1) == 0 });
+    });
+    ++number;
+    h = m.turn_left(h);
+  } while(h >= 0 && h != start);
+}
+
+// After a move of v each witness of its faces goes to the one it is nearest to now.
+inline void share_witnesses(Adaptation_state& s, Index v)
+{
+  std::vector<Index> list, faces;
+  const Index start = s.mesh.vertex(v).halfedge;
+  Index h = start;
+  do {
+    faces.push_back(s.mesh.face(h));
+    s.coverage.take(faces.back(), list);
+    h = s.mesh.turn_left(h);
+  } while(h >= 0 && h != start);
+  if(list.empty()) return;
+  std::vector<Corners> corners;
+  for(Index f : faces) corners.push_back(s.corners(f));
+  for(Index w : list) {
+    const std::pair<double, std::size_t> best = best_cover(s.coverage[w], corners);
+    s.coverage.give(w, faces[best.second], best.first);
+  }
+}
 
 // Gathers the star of v for a relaxation.
 inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& star)
@@ -74,6 +113,7 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
   Vertex_record& r = s.mesh.vertex(v);
   if(r.frozen || r.carrier == Carrier::corner) return false;
   gather_star(s, v, relax.star());
+  gather_pulls(s, v, relax.pulls());
   const Vertex_record old = r;
   if(!relax(r)) return false;
   const bool doubtful = relax.worst() < following(turned_away) + 0.05;
@@ -86,6 +126,7 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
     s.face_moved(s.mesh.face(h));
     h = s.mesh.turn_left(h);
   } while(h >= 0 && h != r.halfedge);
+  if(!relax.pulls().empty()) share_witnesses(s, v);
   const double edge = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
   const double way = distance(r.p, old.p);
   if(way > s.smoothing.stir * edge) s.stir(v);
@@ -108,6 +149,7 @@ inline void disturb_around(Adaptation_state& s, Index v)
 // last round are left for the next call.  Returns the number of moves.
 inline std::size_t smooth(Adaptation_state& s, int sweeps)
 {
+  s.prepare_coverage();
   Node_relaxation relax(s);
   std::size_t moves = 0;
   for(int sweep = 0; sweep < sweeps; ++sweep) {

@@ -107,6 +107,7 @@ public:
       if(m.is_face(f) && cut_face(f)) ++cut;
     if(cut == 0) return 0;
     m.link();
+    s_.coverage.lose();
     for(Index f : children_) look_again(f);
     s_.count("template refinement", cut);
     return cut;

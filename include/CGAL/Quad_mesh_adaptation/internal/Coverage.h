@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COVERAGE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COVERAGE_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Size_sampler.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Witness.h>
+#include <CGAL/Quad_mesh_adaptation/internal/choose_witnesses.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// The cost of a witness on the face that covers it best, and the number of that face.
+inline std::pair<double, std::size_t> best_cover(const Witness& w,
+                                                 const std::vector<Corners>& faces)
+{
+  std::pair<double, std::size_t> best(1e300, 0);
+  for(std::size_t k = 0; k < faces.size(); ++k) {
+    const double d = w.distance_to(faces[k]);
+    if(d < best.first) best = { d, k };
+  }
+  best.first = w.cost_at(best.first);
+  return best;
+}
+
+// What of the reference surface the mesh must not leave behind: witnesses on it, each kept by the
+// face that it is nearest to.  Nodes stay on the surface by taking its nearest point, and a face
+// that cuts a tip off is content with that; only the tip can tell.  There are none where the
+// surface is flat or bends gently against the wanted size.
+//
+// Lists of witnesses by face follow operations and moves; after changes of the whole mesh they are
+// lost() and made anew by prepare().
+class Coverage
+{
+public:
+  // The largest distance that the caller allows; infinite: none.
+  void set_bound(double distance) { bound_ = distance; }
+  // The surface or the sizes are others.
+  void forget() { *this = Coverage(bound_); }
+  // Faces are others.
+  void lose() { assigned_ = false; }
+
+  void prepare(const Quad_complex& m, const Reference_surface& surface, const Size_sampler& size,
+               const std::vector<Index>& reference_patch)
+  {
+    if(surface.is_planar() || surface.number_of_triangles() == 0) return;
+    if(scale_ != size.scale()) {
+      if(bends_.empty()) bends_ = bends_of(surface, size);
+      witnesses_ = choose_witnesses(surface, bends_, size.scale(), bound_);
+      scale_ = size.scale();
+      assigned_ = false;
+    }
+    if(!assigned_) assign(m, reference_patch);
+    assigned_ = true;
+  }
+
+  bool is_empty() const { return !assigned_ || witnesses_.empty(); }
+  const Witness& operator[](Index w) const { return witnesses_[w]; }
+
+  // Calls visit(number, witness) for those of face f.
+  template <typename Visit>
+  void for_each(Index f, const Visit& visit) const
+  {
+    if(!assigned_ || f >= Index(first_.size())) return;
+    for(Index w = first_[f]; w >= 0; w = witnesses_[w].next) visit(w, witnesses_[w]);
+  }
+
+  double cost(Index f) const
+  {
+    double sum = 0;
+    for_each(f, [&](Index, const Witness& w) { sum += w.cost; });
+    return sum;
+  }
+
+  // Takes all witnesses of face f and adds them to the list.
+  void take(Index f, std::vector<Index>& list)
+  {
+    if(!assigned_ || f >= Index(first_.size())) return;
+    for(Index w = first_[f]; w >= 0; w = witnesses_[w].next) list.push_back(w);
+    first_[f] = -1;
+  }
+
+  void give(Index w, Index f, double cost)
+  {
+    if(f >= Index(first_.size())) first_.resize(f + 1, -1);
+    witnesses_[w].cost = cost;
+    witnesses_[w].next = first_[f];
+    first_[f] = w;
+  }
+
+  Coverage() = default;
+
+private:
+  explicit Coverage(double bound) : bound_(bound) {}
+
+  void assign(const Quad_complex& m, const std::vector<Index>& reference_patch)
+  {
+    first_.assign(m.face_end(), -1);
+    if(witnesses_.empty()) return;
+    std::vector<Core_kernel::Triangle_3> soup;
+    std::vector<Index> face_of;
+    std::vector<Vec> normals;
+    const auto pt = [](const Vec& v) { return Core_kernel::Point_3(v.x(), v.y(), v.z()); };
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      const Quad q = m.quad(f);
+      const Vec a = m.point(q[0]), b = m.point(q[1]), c = m.point(q[2]), d = m.point(q[3]);
+      soup.emplace_back(pt(a), pt(b), pt(c));
+      soup.emplace_back(pt(a), pt(c), pt(d));
+      face_of.push_back(f);
+      normals.push_back(normalized(cross(c - a, d - b)));
+    }
+    const Triangle_tree tree(std::move(soup));
+    const auto patch_of = [&](Index f) {
+      const Index k = m.patch(f);
+      return k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
+    };
+    for(Index w = 0; w < Index(witnesses_.size()); ++w) {
+      const auto fits = [&](std::size_t t) {
+        const Index patch = patch_of(face_of[t / 2]);
+        return (patch < 0 || patch == witnesses_[w].patch) &&
+               !(normals[t / 2] * witnesses_[w].normal < Witness::turned_away);
+      };
+      const Index t = nearest(tree, witnesses_[w], fits);
+      if(t < 0) continue;
+      const Index f = face_of[t / 2];
+      const Quad q = m.quad(f);
+      const Corners p = { m.point(q[0]), m.point(q[1]), m.point(q[2]), m.point(q[3]) };
+      give(w, f, witnesses_[w].cost_at(witnesses_[w].distance_to(p)));
+    }
+  }
+
+  // The nearest of all is asked first, because the tree is fast at that.
+  template <typename Fits>
+  static Index nearest(const Triangle_tree& tree, const Witness& w, const Fits& fits)
+  {
+    const Triangle_tree::Nearest any = tree.nearest(w.p);
+    if(fits(any.triangle)) return Index(any.triangle);
+    for(double within : { 1 / w.inverse_h, 4 / w.inverse_h, 1e150 }) {
+      const Index t = Index(tree.nearest_of(w.p, fits, within));
+      if(t >= 0) return t;
+    }
+    return -1;
+  }
+
+  double bound_ = (std::numeric_limits<double>::infinity)();
+  double scale_ = 0;        // of the sizes that the witnesses are for
+  std::vector<Bend> bends_; // of the surface, by vertex
+  std::vector<Witness> witnesses_;
+  std::vector<Index> first_; // of each face
+  bool assigned_ = false;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COVERAGE_H
