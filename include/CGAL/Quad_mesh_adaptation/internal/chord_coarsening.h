@@ -113,9 +113,9 @@ private:
   std::vector<char> used_;
 };
 
-// Batches of chords with smoothing after each, which spreads the width they leave: a little in large
-// meshes, for speed, until no chord is worth while any more; more of it may show another one then.
-// Ends with a batch that removes less than `least_share` of the faces.
+// Batches of chords with smoothing after each, which spreads the width they leave: a little in
+// large meshes, for speed, until no chord is worth while any more; more of it may show another one
+// then. Ends with a batch that removes less than `least_share` of the faces.
 inline std::size_t remove_chords(Adaptation_state& s, double min_jacobian, double least_share,
                                  int max_batches)
 {

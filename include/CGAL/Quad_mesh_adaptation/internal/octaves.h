@@ -27,11 +27,17 @@ inline bool is_anything_frozen(const Adaptation_state& s)
   return false;
 }
 
-// Has so much of the mesh another size than wanted that hardly a face of it will stay?
-inline bool is_far_from_sizes(const Adaptation_state& s)
+// How often the sizes may be doubled, at most `most` times, before most faces of the input have
+// them and should stay.
+inline int octaves_below_input(const Adaptation_state& s, int most)
 {
-  const double right = fraction_below(s, 1) - fraction_below(s, 0.5);
-  return right < 0.7;
+  constexpr double most_faces = 0.7, rounding = 1.001;
+  for(int octaves = 0; octaves < most; ++octaves) {
+    const double scale = std::exp2(octaves);
+    const double right = fraction_below(s, rounding * scale) - fraction_below(s, 0.5 * scale);
+    if(right >= most_faces) return octaves;
+  }
+  return most;
 }
 
 // The angle by which the surface turns across a face of the wanted size, by the faces on both sides
@@ -108,7 +114,7 @@ inline int octaves_above(const Adaptation_state& s, int most)
   constexpr double least_faces = 400; // of the whole
   if(most <= 0 || is_anything_frozen(s)) return 0;
   const double given = double(s.mesh.number_of_faces());
-  const int coarser = is_far_from_sizes(s) ? octaves_by_turn(s, most) : 0;
+  const int coarser = (std::min)(octaves_below_input(s, most), octaves_by_turn(s, most));
   Demand demand(s);
   int octaves = 0;
   while(octaves < most && (octaves < coarser || demand.faces >= 6 * given) &&
