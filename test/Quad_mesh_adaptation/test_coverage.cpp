@@ -132,6 +132,17 @@ TEST(Coverage, TipIsFoundAgain)
   EXPECT_LT(r.after.reference_to_mesh, 0.2);
 }
 
+// Also where all its faces have their size already.
+TEST(Coverage, TipIsFoundByAGoodMesh)
+{
+  const Mesh reference = mesh_of(thorn(16));
+  Mesh mesh = mesh_of(more_shapes::sphere(4));
+  adapt(mesh, 0.3, QMA::smooth_reference(false));
+  EXPECT_LT(height(mesh), 1.01);
+  adapt(mesh, 0.3, QMA::reference_surface(reference));
+  EXPECT_GT(height(mesh), 2.05);
+}
+
 TEST(Coverage, DistanceIsKeptBothWays)
 {
   for(double size : { 0.3, 0.8 }) {

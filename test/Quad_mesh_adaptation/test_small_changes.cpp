@@ -61,6 +61,7 @@ double kept_far_away(const Mesh& before, const Mesh& after, const Point& where)
     ++far;
     kept += places.count({ p.x(), p.y(), p.z() });
   }
+  EXPECT_GT(far, 100u);
   return double(kept) / double(far);
 }
 
@@ -80,7 +81,7 @@ TEST(SmallChange, StaysLocal)
     EXPECT_GE(r.after.efficiency, 0.85);
     EXPECT_LE(r.after.max_valence, 5u);
     EXPECT_GT(kept_far_away(before, mesh, where), 0.95);
-    // it is made at all: within 15 % of what the change asks for
+    // it is made at all, within a third of what it asks for, since few faces are in question
     const double wanted = QMA::measure_quad_mesh(mesh, size).ideal_number_of_faces -
                           QMA::measure_quad_mesh(before, graded).ideal_number_of_faces;
     const double made = double(mesh.number_of_faces()) - double(before.number_of_faces());
@@ -95,4 +96,33 @@ TEST(SmallChange, None)
   Mesh mesh = before;
   QMA::adapt_quad_mesh(graded, mesh, QMA::symmetry(false));
   EXPECT_GT(kept_far_away(before, mesh, Point(-9, 0, 0)), 0.9);
+}
+
+// Several runs on one state, as for a distance that is asked for: new nodes take the places of old
+// ones, and are worked on like all others.
+TEST(SmallChange, AfterFormerRuns)
+{
+  const Mesh round = zoo_mesh::make<Mesh, Point>(shape_zoo::sphere(48));
+  const auto np = QMA::symmetry(false, QMA::reference_surface(round));
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(shape_zoo::sphere(12));
+  QMA::adapt_quad_mesh(0.15, mesh, np);
+  const Point pole(0, 0, 1);
+  const auto size = [&](const Point& p) { return distance(p, pole) < 0.2 ? 0.07 : 0.15; };
+  const double bound = 0.004;
+  const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::max_distance(bound, np));
+  EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
+  EXPECT_LT(r.after.mesh_to_reference, 1.1 * bound);
+  EXPECT_GE(r.after.min_scaled_jacobian, 0.45);
+  EXPECT_GE(r.after.efficiency, 0.7);
+}
+
+// A bad face does not keep a mesh that is a little too fine everywhere from being coarsened.
+TEST(SmallChange, OneBadFaceInAFineMesh)
+{
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(shape_zoo::plate(40, 40));
+  const Point where(20, 20, 0);
+  const auto size = [&](const Point& p) { return distance(p, where) < 1 ? 0.8 : 1.45; };
+  const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::symmetry(false));
+  EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
+  EXPECT_GE(r.after.efficiency, 0.8);
 }

@@ -19,8 +19,9 @@ respect to the size after every pass; no clean-up, no coarsening.  `number_of_it
 the passes; by default it goes on until no edge asks for a split.  Parity is solved for the whole
 mesh as a minimum-weight T-join.  Edges that must not change are never split, and then a solution
 always exists; what stays larger than asked because of them is listed in the report.
-Where all faces are more than twice as large as asked, the sizes are met at twice to many times
-their scale first, and all faces are then cut in four as often as is left to do.
+Where all faces are well above their size, nothing is frozen and the size grows slowly, the sizes
+are met at twice to many times their scale first, and all faces are then cut in four as often as is
+left to do; each time counts as a pass.
 
 All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
 mesh is valid after the call, and unchanged where it is refused or cancelled.

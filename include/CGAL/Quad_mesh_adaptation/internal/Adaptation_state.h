@@ -159,9 +159,10 @@ struct Adaptation_state
 
   double total_energy()
   {
+    prepare_coverage();
     double sum = 0;
     for(Index f = 0; f < mesh.face_end(); ++f)
-      if(mesh.is_face(f)) sum += cached_energy(f);
+      if(mesh.is_face(f)) sum += cached_energy(f) + coverage.cost(f);
     for(Index v = 0; v < mesh.vertex_end(); ++v)
       if(mesh.is_vertex(v)) sum += valence_energy(mesh.vertex(v).faces, mesh.vertex(v));
     return sum;

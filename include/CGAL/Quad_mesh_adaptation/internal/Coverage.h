@@ -45,15 +45,24 @@ class Coverage
 public:
   // The largest distance that the caller allows; infinite: none.
   void set_bound(double distance) { bound_ = distance; }
+  // Without witnesses from now on.
+  void switch_off()
+  {
+    *this = Coverage(bound_);
+    is_off_ = true;
+  }
   // The surface or the sizes are others.
-  void forget() { *this = Coverage(bound_); }
+  void forget()
+  {
+    if(!is_off_) *this = Coverage(bound_);
+  }
   // Faces are others.
   void lose() { assigned_ = false; }
 
   void prepare(const Quad_complex& m, const Reference_surface& surface, const Size_sampler& size,
                const std::vector<Index>& reference_patch)
   {
-    if(surface.is_planar() || surface.number_of_triangles() == 0) return;
+    if(is_off_ || surface.is_planar() || surface.number_of_triangles() == 0) return;
     if(scale_ != size.scale()) {
       if(bends_.empty()) bends_ = bends_of(surface, size);
       witnesses_ = choose_witnesses(surface, bends_, size.scale(), bound_);
@@ -158,7 +167,7 @@ private:
   std::vector<Bend> bends_; // of the surface, by vertex
   std::vector<Witness> witnesses_;
   std::vector<Index> first_; // of each face
-  bool assigned_ = false;
+  bool assigned_ = false, is_off_ = false;
 };
 
 } // namespace internal

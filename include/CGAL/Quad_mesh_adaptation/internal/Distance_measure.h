@@ -39,7 +39,7 @@ public:
 
   double to_reference() const { return to_reference_; }
   double from_reference() const { return from_reference_; }
-  // The larger of both for what was found on face f; above `care` exact, else rather too much.
+  // The larger of both for what was found on face f: rather too much, but where it is above `care`.
   double of(Index f) const { return of_face[f]; }
   // The face that vertex v of the reference is nearest to; -1 on a plane, where none is looked for.
   Index face_below(Index v) const { return face_below_.empty() ? Index(-1) : face_below_[v]; }

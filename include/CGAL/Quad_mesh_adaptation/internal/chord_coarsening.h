@@ -55,15 +55,17 @@ private:
       if(!m.is_face(m.face(h)) || seen[h]) continue;
       const Chord c = chord_through(m, h);
       double width = 0, size = 0;
+      bool may_go = true;
       for(Index g : c.rungs) {
         seen[g] = 1;
+        may_go = may_go && s_.is_to_work_on(m.origin(g)) && s_.is_to_work_on(m.target(g));
         if(m.opposite(g) >= 0) seen[m.opposite(g)] = 1;
         const Vertex_record &u = m.vertex(m.origin(g)), &v = m.vertex(m.target(g));
         width += 2 * distance(u.p, v.p) / (u.h + v.h);
       }
       for(Index f : c.faces) size += ratio[f];
       width /= double(c.rungs.size());
-      if(size < 0.95 * double(c.faces.size()) && width < 1) list.push_back({ width, h });
+      if(may_go && size < 0.95 * double(c.faces.size()) && width < 1) list.push_back({ width, h });
     }
     std::stable_sort(list.begin(), list.end());
     return list;

@@ -61,6 +61,7 @@ inline bool is_refinement_sufficient(const Refine_classes& c, Index number_of_fa
 inline void paper_schedule(Adaptation_state& s, std::size_t max_iterations)
 {
   s.smoothing.size = 0; // isotropic: the paper's smoothing does not know the size
+  s.coverage.switch_off();
   Improvement_options clean;
   clean.max_valence = 6;
   clean.close = clean.open = clean.swap = clean.rotate = true;

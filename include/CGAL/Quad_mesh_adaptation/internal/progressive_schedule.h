@@ -47,7 +47,7 @@ inline void refine_progressively(Adaptation_state& s, const Improvement_options&
   for(std::size_t pass = 0; pass < max_passes; ++pass) {
     if(use.edge_marking) {
       clear_floors(s);
-      insert_rows(s);
+      if(s.region.empty()) insert_rows(s);
     }
     {
       Phase_scope phase(s, "refinement");
@@ -147,8 +147,7 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
                                  std::size_t max_passes, const Schedule_ingredients& use)
 {
   const int most = use.octaves ? int((std::min)(max_passes, std::size_t(30))) : 0;
-  int octaves = octaves_above(s, most);
-  if(octaves == 0) stay_near_work(s);
+  int octaves = stay_near_work(s) ? 0 : octaves_above(s, most);
   const Index given_faces = s.mesh.number_of_faces();
   s.scale_sizes(std::exp2(octaves));
   for(; octaves > 0; --octaves) {
@@ -176,6 +175,7 @@ inline void descend_one_octave(Adaptation_state& s, const Improvement_options& c
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
                                  const Schedule_ingredients& use = {})
 {
+  s.prepare_coverage();
   if(is_adapted(s)) return;
   Good_mesh_keeper input(s);
   const Improvement_options clean;

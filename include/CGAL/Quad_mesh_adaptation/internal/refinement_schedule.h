@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -59,10 +60,11 @@ inline void refine_by_octaves(Adaptation_state& s, const Marking_options& markin
   const std::size_t last = s.iterations + max_passes;
   int octaves = octaves_below_faces(s, int((std::min)(max_passes, std::size_t(30))));
   s.scale_sizes(std::exp2(octaves));
-  Mesh_keeper input(s);
+  std::optional<Mesh_keeper> input;
+  if(octaves > 0) input.emplace(s);
   refine_by_templates(s, marking, max_passes - std::size_t(octaves));
   if(octaves > 0 && least_scaled_jacobian(s) < well_shaped) {
-    input.restore();
+    input->restore();
     s.scale_sizes(std::exp2(-octaves));
     refine_by_templates(s, marking, max_passes);
     return;

@@ -24,15 +24,17 @@ inline bool is_crowded(const Adaptation_state& s, Index v)
   return images * r.faces > 5 && (r.carrier == Carrier::surface || images > 1) && !r.frozen;
 }
 
-// Faces below `least`, and those about crowded nodes.
+// Faces below `least`, and those about crowded nodes, where the mesh is worked on.
 inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
 {
   const Quad_complex& m = s.mesh;
   const auto crowded = [&](Index v) { return is_crowded(s, v); };
+  const auto worked_on = [&](Index v) { return s.is_to_work_on(v); };
   std::vector<Index> list;
   for(Index f = 0; f < m.face_end(); ++f) {
     if(!m.is_face(f)) continue;
     const Quad q = m.quad(f);
+    if(!std::all_of(q.begin(), q.end(), worked_on)) continue;
     if(s.face_quality(s.corners(f), s.reference_normal(f)) < least ||
        std::any_of(q.begin(), q.end(), crowded))
       list.push_back(f);

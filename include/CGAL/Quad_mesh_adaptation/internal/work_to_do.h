@@ -70,13 +70,17 @@ inline std::vector<char> faces_among_too_many(const Adaptation_state& s)
   return result;
 }
 
-// Faces about which there is something to do.
+// Faces about which there is something to do; those, too, that have left the surface (by half a
+// size or more from a witness), once coverage is prepared.
 inline std::vector<Index> faces_to_work_on(const Adaptation_state& s)
 {
+  constexpr double left_behind = 5;
   const std::vector<char> too_many = faces_among_too_many(s);
   std::vector<Index> list;
   for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && (too_many[f] || !is_good(s, f))) list.push_back(f);
+    if(s.mesh.is_face(f) && (too_many[f] || !is_good(s, f) || s.coverage.cost(f) > left_behind) &&
+       !is_beyond_help(s, f))
+      list.push_back(f);
   return list;
 }
 
@@ -89,16 +93,23 @@ inline bool is_adapted(const Adaptation_state& s)
 // Is there something to do about few of the faces only?
 inline bool is_local(const Adaptation_state& s, const std::vector<Index>& work)
 {
-  constexpr std::size_t few = 10; // one face in so many
-  return !work.empty() && few * work.size() <= std::size_t(s.mesh.number_of_faces());
+  constexpr std::size_t few = 10;      // one face in so many
+  constexpr double fine_enough = 0.75; // as is_too_fine() has it: else all faces could be larger
+  return !work.empty() && few * work.size() <= std::size_t(s.mesh.number_of_faces()) &&
+         mean_square_ratio(s) >= fine_enough;
 }
 
-// Where that is so all else is left alone, so that a small change costs little.
-inline void stay_near_work(Adaptation_state& s)
+// Where that is so all else is left alone, so that a small change costs little.  Tells whether it
+// is so.
+inline bool stay_near_work(Adaptation_state& s)
 {
   constexpr int rings = 8;
   const std::vector<Index> work = faces_to_work_on(s);
-  if(is_local(s, work)) s.region = nodes_around(s.mesh, work, rings);
+  if(!is_local(s, work)) return false;
+  s.region = nodes_around(s.mesh, work, rings);
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    if(!s.mesh.is_vertex(v)) s.region[v] = 1; // may become a new one
+  return true;
 }
 
 // The energy of the faces to work on in a good mesh must fall by this share of it for the mesh to
@@ -118,7 +129,7 @@ public:
     const std::vector<Index> work = faces_to_work_on(s);
     if(!is_local(s, work)) return;
     at_stake_ = 0;
-    for(Index f : work) at_stake_ += s.cached_energy(f);
+    for(Index f : work) at_stake_ += s.cached_energy(f) + s.coverage.cost(f);
   }
 
   void restore_unless_better()
