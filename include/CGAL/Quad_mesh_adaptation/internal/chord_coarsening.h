@@ -115,14 +115,16 @@ private:
   std::vector<char> used_;
 };
 
+// From so many faces on, coarsening works quickly where it can, else with care.
+constexpr Index large_mesh = 5000;
+
 // Batches of chords with smoothing after each, which spreads the width they leave: a little in
 // large meshes, for speed, until no chord is worth while any more; more of it may show another one
 // then. Ends with a batch that removes less than `least_share` of the faces.
 inline std::size_t remove_chords(Adaptation_state& s, double min_jacobian, double least_share,
                                  int max_batches)
 {
-  constexpr Index large = 5000; // faces
-  const bool quick = s.mesh.number_of_faces() > large;
+  const bool quick = s.mesh.number_of_faces() > large_mesh;
   const double fine = s.smoothing.wake;
   Chord_coarsening chords(s, min_jacobian);
   std::size_t total = 0, since_smooth = 0;

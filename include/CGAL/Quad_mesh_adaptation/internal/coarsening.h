@@ -18,8 +18,7 @@ namespace internal {
 // the end, so that in a large mesh quick work is good enough.
 inline bool is_far_too_fine(const Adaptation_state& s)
 {
-  constexpr Index large = 5000; // faces
-  return s.mesh.number_of_faces() > large && mean_square_ratio(s) < 0.25;
+  return s.mesh.number_of_faces() > large_mesh && mean_square_ratio(s) < 0.25;
 }
 
 // Coarsening by whole chords first, then by local operations: closing a face of a regular mesh

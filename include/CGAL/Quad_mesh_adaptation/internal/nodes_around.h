@@ -12,15 +12,15 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Nodes of the given faces and `rings` rings of faces around them.
-inline std::vector<char> nodes_around(const Quad_complex& m, const std::vector<Index>& faces,
-                                      int rings)
+// Marks the nodes of the given faces and of `rings` rings of faces around them; those that are
+// marked already stop it.
+inline void mark_nodes_around(const Quad_complex& m, const std::vector<Index>& faces, int rings,
+                              std::vector<char>& marked)
 {
-  std::vector<char> in(m.vertex_end(), 0);
   std::vector<Index> front;
   const auto reach = [&](Index v) {
-    if(in[v]) return;
-    in[v] = 1;
+    if(marked[v]) return;
+    marked[v] = 1;
     front.push_back(v);
   };
   for(Index f : faces)
@@ -35,7 +35,15 @@ inline std::vector<char> nodes_around(const Quad_complex& m, const std::vector<I
         for(Index u : m.quad(m.face(h))) reach(u);
     }
   }
-  return in;
+}
+
+// The same as a list of marks by node.
+inline std::vector<char> nodes_around(const Quad_complex& m, const std::vector<Index>& faces,
+                                      int rings)
+{
+  std::vector<char> marked(m.vertex_end(), 0);
+  mark_nodes_around(m, faces, rings, marked);
+  return marked;
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Chord.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_scope.h>
+#include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 
@@ -72,7 +73,7 @@ private:
       }
       // one row more for each 1 / (width - 1) rows
       const double rows = (std::min)(1 / (c.width - 1), double(m.face_end()));
-      block_around(chord, (std::max)(int(std::lround(rows)) - 2, 0), used);
+      mark_nodes_around(s_.mesh, chord.faces, (std::max)(int(std::lround(rows)) - 2, 0), used);
     }
     return split;
   }
@@ -123,29 +124,6 @@ private:
     double sum = 0;
     for(Index f : c.faces) sum += s_.size_ratio(f);
     return sum > double(c.faces.size());
-  }
-
-  // Marks the nodes of the chord and of `rings` rings of faces about it.
-  void block_around(const Chord& c, int rings, std::vector<char>& used) const
-  {
-    const Quad_complex& m = s_.mesh;
-    std::vector<Index> front, out;
-    const auto reach = [&](Index v) {
-      if(used[v]) return;
-      used[v] = 1;
-      front.push_back(v);
-    };
-    for(Index f : c.faces)
-      for(Index v : m.quad(f)) reach(v);
-    for(int ring = 0; ring < rings && !front.empty(); ++ring) {
-      std::vector<Index> now;
-      now.swap(front);
-      for(Index v : now) {
-        m.outgoing(v, out);
-        for(Index h : out)
-          for(Index u : m.quad(m.face(h))) reach(u);
-      }
-    }
   }
 
   Adaptation_state& s_;
