@@ -42,7 +42,7 @@ inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
   return list;
 }
 
-constexpr double shape_floor = 0.52; // of the quality of faces
+constexpr double shape_floor = 0.58; // of the quality of faces
 
 // How much is wrong: what faces lack of the floor, and faces too many at nodes.
 inline double shape_faults(const Adaptation_state& s)
