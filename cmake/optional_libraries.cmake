@@ -7,12 +7,15 @@ find_package(CLI11 QUIET)
 find_package(nlohmann_json QUIET)
 find_package(muparser QUIET)
 find_package(benchmark QUIET)
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
 
 set(library_of_Eigen Eigen3::Eigen)
 set(library_of_CLI11 CLI11::CLI11)
 set(library_of_json nlohmann_json::nlohmann_json)
 set(library_of_muParser muparser::muparser)
 set(library_of_GoogleBenchmark benchmark::benchmark)
+set(library_of_TBB CGAL::TBB_support)
 
 # The core, compiled once for all programs of this project, which saves most of their compile time.
 # The package is header-only all the same: the checks of the headers, the test of the installed
@@ -22,8 +25,10 @@ add_library(quad_mesh_core STATIC EXCLUDE_FROM_ALL
 target_link_libraries(quad_mesh_core PUBLIC CGAL::Quad_mesh_adaptation
   PRIVATE quad_mesh_build_flags)
 target_compile_definitions(quad_mesh_core PUBLIC QUAD_MESH_ADAPTATION_COMPILED_CORE)
+# With threads where TBB is there: then for all programs, for they share the compiled core.
+target_link_libraries(quad_mesh_core PUBLIC $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>)
 
-# Links `target` to the libraries that are named (Eigen, CLI11, json, muParser, GoogleBenchmark).
+# Links `target` to the libraries that are named (Eigen, CLI11, json, muParser, GoogleBenchmark, TBB).
 function(quad_mesh_link target)
   target_link_libraries(${target} PRIVATE quad_mesh_core quad_mesh_build_flags)
   foreach(name IN LISTS ARGN)

@@ -13,6 +13,7 @@ packages=(
   libcgal-dev                  # the package itself (brings Boost, GMP and MPFR)
   libeigen3-dev                # finite elements of the plate with a hole
   libcli11-dev nlohmann-json3-dev libmuparser-dev # the program quad_adapt
+  libtbb-dev                   # threads
   libgtest-dev                 # tests
   "$@"
 )

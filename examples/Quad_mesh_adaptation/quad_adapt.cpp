@@ -7,6 +7,7 @@
 #include "quad_adapt/Options.h"
 #include "quad_adapt/Progress.h"
 #include "quad_adapt/Sizes.h"
+#include "quad_adapt/Thread_limit.h"
 #include "support/face_fields.h"
 #include "support/print_report.h"
 #include "support/report_json.h"
@@ -55,7 +56,8 @@ QMA::Adaptation_report adapt(const Options& options, const Size_function& size, 
   const auto schedule =
       options.schedule == "paper" ? QMA::Schedule::paper : QMA::Schedule::progressive;
   const double far = options.max_distance.value_or(std::numeric_limits<double>::infinity());
-  const auto geometry = QMA::smooth_reference(options.is_smooth, QMA::max_distance(far, more));
+  const auto threads = QMA::concurrency(CGAL::Parallel_if_available_tag(), more);
+  const auto geometry = QMA::smooth_reference(options.is_smooth, QMA::max_distance(far, threads));
   const auto parameters =
       QMA::schedule(schedule, QMA::feature_angle(options.feature_angle, geometry));
   if(options.reference.empty()) return QMA::adapt_quad_mesh(size, mesh, parameters);
@@ -65,6 +67,7 @@ QMA::Adaptation_report adapt(const Options& options, const Size_function& size, 
 QMA::Adaptation_report adapt(const Options& options, const Size_function& size, Mesh& mesh,
                              const Mesh& reference)
 {
+  const Thread_limit threads(options.threads);
   Progress progress(options.is_quiet);
   const std::function<bool(double)> callback = [&](double done) { return progress.advance(done); };
   const auto parameters = CGAL::parameters::visitor(std::ref(progress)).callback(callback);

@@ -38,6 +38,7 @@ struct Options
   bool is_smooth = false;
   std::optional<double> max_distance;
   unsigned max_iterations = 0; // 0: the library's own limit
+  unsigned threads = 0;        // 0: as many as there are
   bool is_quiet = false;
 };
 
@@ -162,6 +163,12 @@ inline void describe_options(CLI::App& app, Options& options)
   app.add_option("--max-iterations", options.max_iterations, "Passes at most")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000));
+#ifdef CGAL_LINKED_WITH_TBB
+  app.add_option("--threads", options.threads,
+                 "Threads to work with [all]; the result does not depend on them")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+#endif
   app.add_option("--report", options.report, "Write what was done and measured, as JSON")
       ->type_name("FILE.json");
   app.add_option("--picture", options.picture,

@@ -9,47 +9,79 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <shared_mutex>
 #include <string>
+#include <thread>
 
-/// A sizing function given as text in x, y and z.  Copies share the parser; calls are not to be
-/// made from several threads at once.
+/// A sizing function given as text in x, y and z.  Copies share the parsers, of which there is one
+/// for each thread that calls.
 class Size_expression
 {
 public:
   /// `false` and `message` when the text is no expression.
   bool parse(const std::string& text, std::string& message)
   {
-    parsed_ = std::make_shared<Parsed>();
     try {
-      define_names(parsed_->parser);
-      parsed_->parser.DefineVar("x", &parsed_->at[0]);
-      parsed_->parser.DefineVar("y", &parsed_->at[1]);
-      parsed_->parser.DefineVar("z", &parsed_->at[2]);
-      parsed_->parser.SetExpr(text);
-      parsed_->parser.Eval();
-      if(parsed_->parser.GetNumResults() == 1) return true;
+      Parsed first(text);
+      first.parser.Eval();
+      if(first.parser.GetNumResults() == 1) {
+        parsers_ = std::make_shared<Parsers>();
+        parsers_->text = text;
+        return true;
+      }
       message = "more than one value";
     } catch(const mu::Parser::exception_type& error) {
       message = error.GetMsg();
       while(!message.empty() && message.back() == '.') message.pop_back();
     }
-    parsed_.reset();
     return false;
   }
 
+  /// Precondition: parse() was successful.
   template <class Point>
   double operator()(const Point& p) const
   {
-    parsed_->at = { { p.x(), p.y(), p.z() } };
-    return parsed_->parser.Eval();
+    Parsed& mine = parsers_->mine();
+    mine.at = { { p.x(), p.y(), p.z() } };
+    return mine.parser.Eval();
   }
 
 private:
   struct Parsed
   {
+    explicit Parsed(const std::string& text)
+    {
+      define_names(parser);
+      parser.DefineVar("x", &at[0]);
+      parser.DefineVar("y", &at[1]);
+      parser.DefineVar("z", &at[2]);
+      parser.SetExpr(text);
+    }
+
     mu::Parser parser;
     std::array<double, 3> at = { { 0, 0, 0 } };
+  };
+
+  struct Parsers
+  {
+    Parsed& mine()
+    {
+      const auto id = std::this_thread::get_id();
+      {
+        const std::shared_lock<std::shared_mutex> lock(mutex);
+        const auto known = by_thread.find(id);
+        if(known != by_thread.end()) return *known->second;
+      }
+      const std::unique_lock<std::shared_mutex> lock(mutex);
+      return *by_thread.emplace(id, std::make_unique<Parsed>(text)).first->second;
+    }
+
+    std::string text;
+    std::shared_mutex mutex;
+    std::map<std::thread::id, std::unique_ptr<Parsed>> by_thread;
   };
 
   // What the parser does not bring itself.
@@ -65,7 +97,7 @@ private:
     parser.DefineConst("pi", 3.14159265358979323846);
   }
 
-  std::shared_ptr<Parsed> parsed_;
+  std::shared_ptr<Parsers> parsers_;
 };
 
 #endif // QUAD_ADAPT_SIZE_EXPRESSION_H

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
 #include <functional>
 #include <type_traits>
@@ -46,6 +47,10 @@ enum aim_t
 enum reference_surface_t
 {
   reference_surface_tag
+};
+enum concurrency_t
+{
+  concurrency_tag
 };
 enum symmetry_t
 {
@@ -192,6 +197,22 @@ template <typename NP>
 Named_function_parameters<double, max_distance_t, NP> max_distance(double d, const NP& np)
 {
   return Named_function_parameters<double, max_distance_t, NP>(d, np);
+}
+
+/// `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` to work with the threads of TBB; the
+/// former needs it.  The result is, to the last bit, that of one thread, for any number of threads.
+/// Sizing fields and projectors are then asked by several threads at the same time; maps, visitors
+/// and callbacks are not.  How many threads there are is set in TBB (`tbb::global_control`).
+/// Default: `CGAL::Sequential_tag`.
+template <typename Concurrency>
+Named_function_parameters<Concurrency, concurrency_t> concurrency(Concurrency tag)
+{
+  return Named_function_parameters<Concurrency, concurrency_t>(tag);
+}
+template <typename Concurrency, typename NP>
+Named_function_parameters<Concurrency, concurrency_t, NP> concurrency(Concurrency tag, const NP& np)
+{
+  return Named_function_parameters<Concurrency, concurrency_t, NP>(tag, np);
 }
 
 /// Whether `adapt_quad_mesh()` with the default schedule keeps mirror symmetry; default `true`.

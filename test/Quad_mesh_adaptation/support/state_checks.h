@@ -291,10 +291,10 @@ inline std::string curve_problem(const Adaptation_state& s)
 
 inline std::string cache_problem(const Adaptation_state& s)
 {
-  for(Index f = 0; f < Index(s.energy_cache.size()); ++f) {
-    if(f >= s.mesh.face_end() || !s.mesh.is_face(f) || std::isnan(s.energy_cache[f])) continue;
+  for(Index f = 0; f < s.mesh.face_end(); ++f) {
+    if(!s.mesh.is_face(f) || !s.energies.is_known(f)) continue;
     const double e = s.face_energy(f);
-    if(std::abs(e - s.energy_cache[f]) > 1e-5 * (1 + std::abs(e)))
+    if(std::abs(e - s.energies[f]) > 1e-5 * (1 + std::abs(e)))
       return name("stale energy of face", f);
   }
   return "";

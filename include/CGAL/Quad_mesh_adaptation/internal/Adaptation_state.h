@@ -5,10 +5,12 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPTATION_STATE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Coverage.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_values.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Feature_curve.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_surface.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Size_sampler.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Workers.h>
 #include <CGAL/Quad_mesh_adaptation/internal/face_energy.h>
 
 #include <algorithm>
@@ -16,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -60,10 +61,11 @@ struct Adaptation_state
   Smoothing_weights smoothing;
 
   std::vector<std::pair<const char*, std::size_t>> operations; // how often each was committed
-  std::vector<float> energy_cache;                             // per face, NaN where not known
-  mutable std::vector<double> ratio_cache;                     // likewise, see size_ratio()
-  std::vector<float> factor_cache;                             // likewise, see size_factor()
+  Face_values<float> energies;                                 // see cached_energy()
+  mutable Face_values<double> ratios;                          // see size_ratio()
+  Face_values<float> factors;                                  // see size_factor()
   std::vector<std::uint8_t> factor_age;                        // moves of its corners since then
+  Workers workers;                                             // for what can be done side by side
   std::function<void(double)> report_progress = [](double) {}; // throws Cancelled
   double progress = 0;                                         // of the whole call, 0 to 1
 
@@ -152,9 +154,8 @@ struct Adaptation_state
 
   double cached_energy(Index f)
   {
-    if(f >= Index(energy_cache.size())) energy_cache.resize(mesh.face_end(), unknown);
-    if(std::isnan(energy_cache[f])) energy_cache[f] = float(face_energy(f));
-    return energy_cache[f];
+    if(!energies.is_known(f)) energies.set(f, float(face_energy(f)), mesh.face_end());
+    return energies[f];
   }
 
   double total_energy()
@@ -169,62 +170,80 @@ struct Adaptation_state
   }
 
   // Wanted size of face f over the sum of the sizes at its corners.  It changes little while the
-  // corners move, so that smoothing asks for one size per move instead of five per face; it is
-  // renewed after a few moves.
-  double size_factor(Index f)
+  // corners move, so that smoothing asks for one size per move instead of five per face.
+  double size_factor(Index f) const
   {
     if(size.is_constant()) return 0.25;
-    if(f >= Index(factor_cache.size())) {
-      factor_cache.resize(mesh.face_end(), unknown);
+    return factors.is_known(f) ? factors[f] : size_factor_now(f);
+  }
+
+  // Renewed after a few moves.
+  double renewed_size_factor(Index f)
+  {
+    if(size.is_constant()) return 0.25;
+    if(!factors.is_known(f) || factor_age[f] >= 6) {
+      factors.set(f, size_factor_now(f), mesh.face_end());
       factor_age.resize(mesh.face_end(), 0);
-    }
-    if(std::isnan(factor_cache[f]) || factor_age[f] >= 6) {
-      double sum = 0;
-      for(Index v : mesh.quad(f)) sum += mesh.vertex(v).h;
-      factor_cache[f] = float(size.at_face(corners(f)) / sum);
       factor_age[f] = 0;
     }
-    return factor_cache[f];
+    return factors[f];
+  }
+
+  float size_factor_now(Index f) const
+  {
+    double sum = 0;
+    for(Index v : mesh.quad(f)) sum += mesh.vertex(v).h;
+    return float(size.at_face(corners(f)) / sum);
   }
 
   // A corner of face f has moved.
   void face_moved(Index f)
   {
-    if(f < Index(energy_cache.size())) energy_cache[f] = unknown;
-    if(f < Index(ratio_cache.size())) ratio_cache[f] = unknown;
+    energies.forget(f);
+    ratios.forget(f);
     if(f < Index(factor_age.size()) && factor_age[f] < 255) ++factor_age[f];
   }
   // Face f is another one now.
   void face_replaced(Index f)
   {
-    if(f < Index(energy_cache.size())) energy_cache[f] = unknown;
-    if(f < Index(ratio_cache.size())) ratio_cache[f] = unknown;
-    if(f < Index(factor_cache.size())) factor_cache[f] = unknown;
+    energies.forget(f);
+    ratios.forget(f);
+    factors.forget(f);
   }
-  void forget_energies() { energy_cache.clear(); }
+  void forget_energies() { energies.forget_all(); }
   void forget_sizes()
   {
-    energy_cache.clear();
-    ratio_cache.clear();
+    energies.forget_all();
+    ratios.forget_all();
   }
   void forget_faces()
   {
     forget_sizes();
     coverage.lose();
-    factor_cache.clear();
+    factors.forget_all();
     factor_age.clear();
   }
-  static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+  // Before threads ask for values of faces, disturb and stir: nothing has to grow then.
+  void make_room()
+  {
+    energies.fit(mesh.face_end());
+    ratios.fit(mesh.face_end());
+    factors.fit(mesh.face_end());
+    factor_age.resize(mesh.face_end(), 0);
+    coverage.fit(mesh.face_end());
+    restless.resize(mesh.vertex_end(), 1);
+    stirred.resize(mesh.vertex_end(), 1);
+  }
 
   // Size ratio of eq. 3, in the sampling in use, against the size without floors.
   double size_ratio(Index f) const
   {
-    if(f >= Index(ratio_cache.size())) ratio_cache.resize(mesh.face_end(), unknown);
-    if(std::isnan(ratio_cache[f])) {
+    if(!ratios.is_known(f)) {
       const Corners p = corners(f);
-      ratio_cache[f] = mean_edge_length(p) / size.at_face(p);
+      ratios.set(f, mean_edge_length(p) / size.at_face(p), mesh.face_end());
     }
-    return ratio_cache[f];
+    return ratios[f];
   }
 
   // Before anything that moves nodes or replaces faces; next to nothing if nothing has changed.

@@ -100,10 +100,16 @@ public:
 
   void give(Index w, Index f, double cost)
   {
-    if(f >= Index(first_.size())) first_.resize(f + 1, -1);
+    fit(f + 1);
     witnesses_[w].cost = cost;
     witnesses_[w].next = first_[f];
     first_[f] = w;
+  }
+
+  // For so many faces.
+  void fit(Index faces)
+  {
+    if(faces > Index(first_.size())) first_.resize(faces, -1);
   }
 
   Coverage() = default;

@@ -4,10 +4,12 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_LOCAL_IMPROVEMENT_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_LOCAL_IMPROVEMENT_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/operation_candidates.h>
-#include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Changed_nodes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Operation_search.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -18,11 +20,16 @@ namespace internal {
 // that lowers the energy most is committed, or the first that lowers it.  Without a tolerance every
 // commit lowers the energy by at least energy.min_gain; with one it may rise by less than that.
 // Either way the number of passes is bounded, and with it the work.
+//
+// A pass walks over a large mesh at many places at once, a step at each in turn.  Several threads
+// search at all of them ahead of the commits; where a commit has changed what a search has read,
+// that search is done again.  So the outcome is that of one thread, which searches once.
 class Local_improvement
 {
 public:
   Local_improvement(Adaptation_state& s, const Improvement_options& o)
-      : s_(s), options_(o), first_(s), second_(s), candidates_(s, options_)
+      : s_(s), own_(s, o), searches_([&s, o] { return std::make_unique<Operation_search>(s, o); }),
+        changed_(s)
   {
   }
 
@@ -30,15 +37,15 @@ public:
   std::size_t pass()
   {
     s_.prepare_coverage();
-    std::size_t done = 0;
-    std::vector<char> now;
-    now.swap(s_.stirred);
-    now.resize(s_.mesh.vertex_end(), 1);
-    s_.stirred.assign(now.size(), 0);
-    for(Index v = 0; v < s_.mesh.vertex_end(); ++v) {
-      if((v & 1023) == 0) s_.check_cancelled();
-      if(v >= Index(now.size()) || !now[v] || !s_.mesh.is_vertex(v)) continue;
-      if(improve_at(v)) ++done;
+    Walk walk = walk_over_stirred();
+    std::size_t done = 0, visited = 0;
+    for(std::size_t step = 0; step < walk.steps(); ++step, visited += batch_.size()) {
+      batch_ = walk.step(step);
+      if(visited % 1024 < batch_.size()) s_.check_cancelled();
+      if(s_.workers.are_several() && batch_.size() > 1) search_ahead();
+      for(std::size_t i = 0; i < batch_.size(); ++i)
+        if(s_.mesh.is_vertex(batch_[i]) && improve_in_turn(i)) ++done;
+      changed_.clear();
     }
     return done;
   }
@@ -58,61 +65,61 @@ public:
   // The best operation about node v, if any lowers the energy.
   bool improve_at(Index v)
   {
-    double best_change = options_.tolerance - s_.energy.min_gain;
-    const char* best_name = nullptr;
-    for(const Operation_candidate& c : candidates_.collect(v)) {
-      if(c.bound >= best_change) continue;
-      candidates_.describe(c, *trial_);
-      const bool wide = candidates_.relieves_crowd(c); // worth a look although it starts badly
-      if(wide) trial_->add_halo();
-      const double reach = halo_gain(c.kind);
-      double change = try_cavity(*trial_, best_change, wide ? 50 : reach);
-      if(!wide && change >= best_change && change < best_change + reach) {
-        trial_->add_halo(); // the nodes around may move, too
-        change = try_cavity(*trial_, best_change, 0);
-      }
-      if(change >= best_change) continue;
-      best_change = change;
-      best_name = operation_name(c.kind);
-      std::swap(trial_, best_);
-      if(options_.first_gain) break;
-    }
-    if(!best_name) return false;
+    const Operation_proposal found = own_(v);
+    if(found.node < 0) return false;
     touched_.clear();
-    best_->commit(&touched_);
-    s_.count(best_name);
-    for(Index u : touched_) s_.stir(u);
+    own_.commit(touched_);
+    note(found);
     return true;
   }
 
 private:
-  // Change of energy, or more than any bound where it is not legal, or where an estimate is above
-  // `to_beat` by more than `reach`.
-  double try_cavity(Cavity& c, double to_beat, double reach)
+  Walk walk_over_stirred()
   {
-    constexpr double refused = 1e300, error = 0.5; // of the estimate
-    if(!c.close()) return refused;
-    const double hopeless = c.energy_before() + to_beat;
-    for(int sweep = 0; sweep < options_.sweeps; ++sweep) {
-      c.relax(1);
-      const bool last = sweep + 1 == options_.sweeps;
-      const double allowed = last ? reach + error : (std::max)(reach, options_.sweep_below);
-      if(c.estimate_after() > hopeless + allowed) return refused;
+    std::vector<char> now;
+    now.swap(s_.stirred);
+    now.resize(s_.mesh.vertex_end(), 1);
+    s_.stirred.assign(now.size(), 0);
+    return Walk(s_.mesh, now, 500, 128);
+  }
+
+  void search_ahead()
+  {
+    s_.make_room();
+    found_.assign(batch_.size(), Operation_proposal());
+    s_.workers.run(batch_.size(), [&](std::size_t i) {
+      if(s_.mesh.is_vertex(batch_[i])) found_[i] = searches_.mine()(batch_[i]);
+    });
+  }
+
+  bool improve_in_turn(std::size_t i)
+  {
+    const bool is_ahead = s_.workers.are_several() && batch_.size() > 1;
+    bool done = false;
+    if(!is_ahead || changed_.has(batch_[i])) {
+      done = improve_at(batch_[i]);
+    } else if(found_[i].node >= 0) {
+      touched_.clear();
+      own_.commit(found_[i], touched_);
+      note(found_[i]);
+      done = true;
     }
-    const double change = c.energy_after() - c.energy_before();
-    if(!(change < to_beat)) return change;
-    if(!c.keeps_shape(options_.min_jacobian)) return refused;
-    if(options_.keep_within_size &&
-       c.largest_after() > (std::max)(s_.energy.tolerated, c.largest_before()))
-      return refused;
-    return change;
+    if(done && is_ahead) changed_.add(touched_);
+    return done;
+  }
+
+  void note(const Operation_proposal& p)
+  {
+    s_.count(operation_name(p.candidate.kind));
+    for(Index u : touched_) s_.stir(u);
   }
 
   Adaptation_state& s_;
-  Improvement_options options_;
-  Cavity first_, second_;
-  Cavity *trial_ = &first_, *best_ = &second_;
-  Operation_candidates candidates_;
+  Operation_search own_;
+  Worker_own<Operation_search> searches_;
+  Changed_nodes changed_;
+  std::vector<Index> batch_;
+  std::vector<Operation_proposal> found_; // about the nodes of the batch
   std::vector<Index> touched_;
 };
 

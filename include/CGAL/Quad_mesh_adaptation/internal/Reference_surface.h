@@ -12,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -117,7 +118,7 @@ public:
   {
     if(planar_) return -1;
     const Index t = find_nearer(p, patch, direction, 1e150);
-    return t >= 0 ? t : Index(tree_->nearest(p).triangle);
+    return t >= 0 ? t : Index(tree().nearest(p).triangle);
   }
 
   // The same, but only triangles nearer than `within` are looked for, which takes far less time
@@ -125,11 +126,10 @@ public:
   Index find_nearer(const Vec& p, Index patch, const Vec& direction, double within) const
   {
     if(planar_) return -1;
-    if(!tree_) build_tree();
     const auto accept = [&](std::size_t i) {
       return (patch < 0 || patches_[i] == patch) && !(normals_[i] * direction < 0);
     };
-    return Index(tree_->nearest_of(p, accept, within));
+    return Index(tree().nearest_of(p, accept, within));
   }
 
 private:
@@ -142,8 +142,7 @@ private:
 
   Vec locate(const Vec& p, Index& t) const
   {
-    if(!tree_) build_tree();
-    const Triangle_tree::Nearest found = tree_->nearest(p);
+    const Triangle_tree::Nearest found = tree().nearest(p);
     t = Index(found.triangle);
     return found.point;
   }
@@ -269,7 +268,15 @@ private:
     }
   }
 
-  void build_tree() const
+  // Built at the first question, by whichever thread asks it.
+  const Triangle_tree& tree() const
+  {
+    const std::lock_guard<std::mutex> lock(tree_->mutex);
+    if(!tree_->tree) tree_->tree = build_tree();
+    return *tree_->tree;
+  }
+
+  std::unique_ptr<Triangle_tree> build_tree() const
   {
     std::vector<Core_kernel::Triangle_3> soup;
     soup.reserve(triangles_.size());
@@ -278,8 +285,14 @@ private:
       const auto c = triangle(Index(t));
       soup.emplace_back(pt(c[0]), pt(c[1]), pt(c[2]));
     }
-    tree_ = std::make_shared<Triangle_tree>(std::move(soup));
+    return std::make_unique<Triangle_tree>(std::move(soup));
   }
+
+  struct Tree_on_demand
+  {
+    std::mutex mutex;
+    std::unique_ptr<Triangle_tree> tree;
+  };
 
   std::vector<Vec> points_;
   std::vector<std::array<Index, 3>> triangles_, neighbours_; // neighbour i: across edge i, i+1
@@ -288,7 +301,7 @@ private:
   Surface_lift lift_;
   bool planar_ = false;
   Vec plane_normal_ = Vec(0, 0, 1), plane_point_ = Vec(0, 0, 0);
-  mutable std::shared_ptr<Triangle_tree> tree_; // built at the first question only
+  std::shared_ptr<Tree_on_demand> tree_ = std::make_shared<Tree_on_demand>(); // of all copies
 };
 
 } // namespace internal

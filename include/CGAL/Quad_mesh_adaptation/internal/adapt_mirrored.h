@@ -27,6 +27,7 @@ inline void observe_part(const Adaptation_state& whole, std::size_t images, Adap
   part.energy = whole.energy;
   part.smoothing = whole.smoothing;
   part.copies = images;
+  part.workers = whole.workers;
   part.report_progress = whole.report_progress;
   part.start_phase = whole.start_phase;
   part.end_phase = [told = whole.end_phase, images](const char* name, std::size_t faces) {

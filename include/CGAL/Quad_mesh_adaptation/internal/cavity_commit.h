@@ -116,6 +116,7 @@ inline void Cavity::commit(std::vector<Index>* touched)
   write_links(face_of);
   write_nodes(face_of, touched);
   for(const Covered& c : covered) s_.coverage.give(c.witness, face_of[c.quad], c.cost);
+  for(Index f : face_of) s_.renewed_size_factor(f);
   clear();
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Local_improvement.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_scope.h>
+#include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 
 #include <cstddef>
 
@@ -15,8 +16,7 @@ namespace internal {
 
 // Topological clean-up about the stirred nodes: passes of local operations, each lowering the
 // energy (or raising it by less than the tolerance), until one finds nothing to do, then a little
-// smoothing.  Returns the number of
-// operations.
+// smoothing.  Returns the number of operations.
 inline std::size_t clean_up_stirred(Adaptation_state& s, const Improvement_options& o,
                                     int max_passes, int smoothing_sweeps)
 {

@@ -180,6 +180,19 @@ void observe(const NamedParameters& np, Adaptation_state& s, Phase_clock& clock)
   };
 }
 
+// Are several threads asked for?
+template <typename NamedParameters>
+constexpr bool decode_concurrency(const NamedParameters& np)
+{
+  using Tag = std::decay_t<decltype(parameters::choose_parameter(
+      parameters::get_parameter(np, concurrency_tag), CGAL::Sequential_tag()))>;
+  constexpr bool several = std::is_convertible_v<Tag, CGAL::Parallel_tag>;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!several, "CGAL::Parallel_tag needs TBB: link CGAL::TBB_support");
+#endif
+  return several;
+}
+
 template <typename NamedParameters>
 bool is_paper_schedule(const NamedParameters& np)
 {

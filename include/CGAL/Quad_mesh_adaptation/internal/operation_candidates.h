@@ -112,6 +112,13 @@ public:
     return candidates_;
   }
 
+  // As if the candidates of node v had been collected, for one that is known.
+  void look_at(Index v)
+  {
+    s_.mesh.outgoing(v, out_);
+    find_border_pair(s_.mesh, v, pair_);
+  }
+
   // Fills the cavity of a candidate of the node collected last.
   void describe(const Operation_candidate& c, Cavity& cavity)
   {

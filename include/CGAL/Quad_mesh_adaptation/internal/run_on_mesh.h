@@ -149,6 +149,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     s.size = make_sampler<typename Decoded::Point>(sizing);
     if(paper) s.size.sampling = Size_sampling::centre;
     s.size.scale_by(scale_of(aim));
+    s.workers.use_threads(decode_concurrency(np));
     Distance_bound bound(s, decode_max_distance(np));
     Input_mesh in;
     Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm)> import(

@@ -5,9 +5,12 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SMOOTHING_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Node_relaxation.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -65,7 +68,7 @@ inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& st
     const Vertex_record &x = m.vertex(v), &ra = m.vertex(a), &rb = m.vertex(b), &rc = m.vertex(c);
     Star_face f;
     f.set_corners(ra.p, rb.p, rc.p);
-    f.factor = s.size_factor(m.face(h));
+    f.factor = s.renewed_size_factor(m.face(h));
     f.sizes = ra.h + rb.h + rc.h;
     for(const Vertex_record* r : { &ra, &rb, &rc }) f.reference.add(r->normal);
     f.floor = 0.25 * (x.floor + ra.floor + rb.floor + rc.floor);
@@ -144,26 +147,105 @@ inline void disturb_around(Adaptation_state& s, Index v)
   } while(h >= 0 && h != start);
 }
 
-// Size-aware smoothing: at most `sweeps` rounds, in a fixed order, over the nodes about which
-// something changed, each moved to a better place on its carrier.  Those that still moved in the
-// last round are left for the next call.  Returns the number of moves.
+// One round of smoothing.  Threads move the nodes of one step of a walk side by side, but for those
+// that have a neighbour among the earlier ones; these come after them.  Since nodes only see their
+// neighbours, that is the same as one after the other.
+class Smoothing_sweep
+{
+public:
+  explicit Smoothing_sweep(Adaptation_state& s)
+      : s_(s), relax_(s), relaxations_([&s] { return std::make_unique<Node_relaxation>(s); })
+  {
+  }
+
+  // Over the nodes that are marked; returns the number of moves.
+  std::size_t operator()(const std::vector<char>& wanted)
+  {
+    s_.make_room();
+    place_.assign(s_.workers.are_several() ? std::size_t(s_.mesh.vertex_end()) : 0, 0);
+    Walk walk(s_.mesh, wanted, 32, 1024);
+    std::size_t moves = 0;
+    for(std::size_t step = 0; step < walk.steps(); ++step) {
+      const std::vector<Index>& nodes = walk.step(step);
+      if(s_.workers.are_several() && nodes.size() > 1) {
+        moves += move_together(nodes);
+      } else {
+        for(Index v : nodes) moves += move(v);
+      }
+    }
+    return moves;
+  }
+
+private:
+  enum class Outcome : char
+  {
+    stayed,
+    moved,
+    has_to_wait
+  };
+
+  std::size_t move(Index v)
+  {
+    if(!move_node(s_, v, relax_)) return 0;
+    disturb_around(s_, v);
+    return 1;
+  }
+
+  std::size_t move_together(const std::vector<Index>& nodes)
+  {
+    std::vector<Outcome> outcome(nodes.size());
+    for(std::size_t i = 0; i < nodes.size(); ++i) place_[nodes[i]] = Index(i) + 1;
+    s_.workers.run(nodes.size(), [&](std::size_t i) {
+      if(follows_a_neighbour(nodes[i]))
+        outcome[i] = Outcome::has_to_wait;
+      else if(move_node(s_, nodes[i], relaxations_.mine()))
+        outcome[i] = Outcome::moved;
+    });
+    std::size_t moves = 0;
+    for(std::size_t i = 0; i < nodes.size(); ++i) {
+      place_[nodes[i]] = 0;
+      if(outcome[i] == Outcome::has_to_wait) moves += move(nodes[i]);
+      if(outcome[i] != Outcome::moved) continue;
+      disturb_around(s_, nodes[i]);
+      ++moves;
+    }
+    return moves;
+  }
+
+  bool follows_a_neighbour(Index v) const
+  {
+    const Quad_complex& m = s_.mesh;
+    const Index start = m.vertex(v).halfedge;
+    Index h = start;
+    do {
+      for(Index u : m.quad(m.face(h)))
+        if(place_[u] > 0 && place_[u] < place_[v]) return true;
+      h = m.turn_left(h);
+    } while(h >= 0 && h != start);
+    return false;
+  }
+
+  Adaptation_state& s_;
+  Node_relaxation relax_;
+  Worker_own<Node_relaxation> relaxations_;
+  std::vector<Index> place_; // of a node in the step, from 1
+};
+
+// Size-aware smoothing: at most `sweeps` rounds over the nodes about which something changed, each
+// moved to a better place on its carrier.  Those that still moved in the last round are left for
+// the next call.  Returns the number of moves.
 inline std::size_t smooth(Adaptation_state& s, int sweeps)
 {
   s.prepare_coverage();
-  Node_relaxation relax(s);
+  Smoothing_sweep sweep(s);
   std::size_t moves = 0;
-  for(int sweep = 0; sweep < sweeps; ++sweep) {
+  for(int round = 0; round < sweeps; ++round) {
     s.check_cancelled();
     std::vector<char> now;
     now.swap(s.restless);
     now.resize(s.mesh.vertex_end(), 1);
     s.restless.assign(now.size(), 0);
-    std::size_t moved = 0;
-    for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-      if(!now[v] || !s.mesh.is_vertex(v) || !move_node(s, v, relax)) continue;
-      disturb_around(s, v);
-      ++moved;
-    }
+    const std::size_t moved = sweep(now);
     moves += moved;
     if(moved == 0) break;
   }
