@@ -44,6 +44,9 @@ std::vector<Task> all_tasks(const std::vector<Shape>& shapes, int highest,
       tasks.push_back(adapt_task(s, level));
       if(s.name == "plate")
         tasks.push_back(adapt_whole_task(s, level)); // the others have no planes
+#ifdef CGAL_LINKED_WITH_TBB
+      tasks.push_back(threads_task(s, level, 2));
+#endif
       if(faces > 2 * s.coarse_faces) {
         tasks.push_back(refine_task(s, level));
         tasks.push_back(isotropic_task(s, level));

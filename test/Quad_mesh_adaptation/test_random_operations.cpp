@@ -7,6 +7,7 @@
 #include "support/places.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/Local_improvement.h>
+#include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 #include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 

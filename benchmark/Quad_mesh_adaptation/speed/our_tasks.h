@@ -11,10 +11,18 @@
 #include <CGAL/Quad_mesh_adaptation/refine.h>
 #include <CGAL/adapt_quad_mesh.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -85,6 +93,33 @@ inline Task adapt_whole_task(const Shape& shape, int level)
   };
   return task;
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+/// The same with so many threads, by the clock.
+inline Task threads_task(const Shape& shape, int level, int threads)
+{
+  Task task = adapt_whole_task(shape, level);
+  task.what = "adapt whole, " + std::to_string(threads) + " threads";
+  task.measures_memory = false;
+  const double faces = std::pow(10., level);
+  task.prepare = [=] {
+    const auto call =
+        on_mesh(shape.to_adapt(faces), shape.graded(faces), [](const Sizing& size, Mesh& mesh) {
+          namespace QMA = CGAL::Quad_mesh_adaptation;
+          return QMA::adapt_quad_mesh(size, mesh,
+                                      QMA::symmetry(false, QMA::concurrency(CGAL::Parallel_tag())));
+        });
+    return [=] {
+      using Control = tbb::global_control;
+      const Control control(Control::max_allowed_parallelism, std::size_t(threads));
+      Outcome o = call();
+      o.cpu = o.wall;
+      return o;
+    };
+  };
+  return task;
+}
+#endif
 
 /// To edges `factor` times longer.
 inline Task coarsen_task(const std::string& what, const Shape& shape, int level, double factor)
