@@ -20,13 +20,15 @@ namespace internal {
 class Walk
 {
 public:
-  // A new place for every `stretch` nodes, up to `most` places.
-  Walk(const Quad_complex& m, const std::vector<char>& marks, std::size_t stretch, std::size_t most)
+  // A new place for every `stretch` nodes, up to `most` places; one place for few nodes.
+  Walk(const Quad_complex& m, const std::vector<char>& marks, std::size_t stretch, std::size_t most,
+       bool backwards)
   {
     for(Index v = 0; v < m.vertex_end(); ++v)
       if(marks[v] && m.is_vertex(v)) nodes_.push_back(v);
-    const std::size_t places =
-        (std::min)((std::max)(nodes_.size() / stretch, std::size_t(1)), most);
+    if(backwards) std::reverse(nodes_.begin(), nodes_.end());
+    std::size_t places = nodes_.size() < few ? 1 : nodes_.size() / stretch;
+    places = (std::min)((std::max)(places, std::size_t(1)), most);
     steps_ = (nodes_.size() + places - 1) / places;
   }
 
@@ -41,6 +43,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t few = 1000; // threads would not pay
+
   std::vector<Index> nodes_, batch_;
   std::size_t steps_ = 0;
 };

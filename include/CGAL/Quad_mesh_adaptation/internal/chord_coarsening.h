@@ -21,8 +21,8 @@ namespace internal {
 class Chord_coarsening
 {
 public:
-  Chord_coarsening(Adaptation_state& s, double min_jacobian)
-      : s_(s), cavity_(s), min_jacobian_(min_jacobian)
+  Chord_coarsening(Adaptation_state& s, double min_jacobian, bool quick)
+      : s_(s), cavity_(s), min_jacobian_(min_jacobian), quick_(quick)
   {
   }
 
@@ -90,6 +90,8 @@ private:
   // very narrow, and over more and more where it is nearly wide enough and few rows do not do.
   bool is_worth_it(const Chord& c, double width)
   {
+    if(quick_ && width < 0.6 && relaxed_change(0, 0) < -s_.energy.min_gain && is_well_shaped())
+      return true; // faces far too small: their nodes may stay for now
     if(width < 0.5) return relaxed_change(0, 2) < -s_.energy.min_gain && is_well_shaped();
     for(const int rings : { 2, 2, 4 }) {
       const double change = relaxed_change(rings, 4 * rings);
@@ -112,6 +114,7 @@ private:
   Adaptation_state& s_;
   Cavity cavity_;
   double min_jacobian_;
+  bool quick_; // with less care
   std::vector<char> used_;
 };
 
@@ -126,7 +129,7 @@ inline std::size_t remove_chords(Adaptation_state& s, double min_jacobian, doubl
 {
   const bool quick = s.mesh.number_of_faces() > large_mesh;
   const double fine = s.smoothing.wake;
-  Chord_coarsening chords(s, min_jacobian);
+  Chord_coarsening chords(s, min_jacobian, quick);
   std::size_t total = 0, since_smooth = 0;
   for(int batch = 0; batch < max_batches; ++batch) {
     const std::size_t removed = chords.batch();

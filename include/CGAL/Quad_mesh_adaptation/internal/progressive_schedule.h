@@ -171,15 +171,9 @@ inline void descend_one_octave(Adaptation_state& s, const Improvement_options& c
   if(use.local_operations) polish(s, clean, 1, 0);
 }
 
-// The default schedule.
-inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
-                                 const Schedule_ingredients& use = {})
+inline void run_progressively(Adaptation_state& s, const Improvement_options& clean,
+                              std::size_t max_iterations, const Schedule_ingredients& use)
 {
-  s.prepare_coverage();
-  if(is_adapted(s)) return;
-  Good_mesh_keeper input(s);
-  const Improvement_options clean;
-  if(!use.size_aware) s.smoothing.size = 0;
   const std::size_t last = s.iterations + max_iterations;
   const int octaves = approach_larger_sizes(s, clean, max_iterations, use);
   for(int left = octaves; left > 0; --left) {
@@ -189,6 +183,57 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   }
   s.progress = 0.9;
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
+}
+
+// Is the mesh as good as most come out?
+inline bool is_as_good_as_most(const Adaptation_state& s)
+{
+  return faces_too_large(s).empty() && shape_faults(s) < 0.05 && fraction_below(s, 0.5) < 0.005 &&
+         efficiency(s) > 0.8;
+}
+
+// What is wrong with a mesh, to be compared with another one for the same sizes.
+inline double demerits(Adaptation_state& s)
+{
+  const double too_small = fraction_below(s, 0.5) * double(s.mesh.number_of_faces());
+  return s.total_energy() + 10 * shape_faults(s) + 10 * double(faces_too_large(s).size()) +
+         too_small;
+}
+
+// Where features and size leave room for few faces, the order of operations decides about much, and
+// one order may lead into a dead end.  So where a small mesh does not come out well, the other way
+// round is tried as well.
+inline void run_both_ways(Adaptation_state& s, const Improvement_options& clean,
+                          std::size_t max_iterations, const Schedule_ingredients& use)
+{
+  constexpr Index few_before = 10000, few_after = 2000;
+  std::optional<Mesh_keeper> given;
+  if(s.mesh.number_of_faces() <= few_before) given.emplace(s);
+  run_progressively(s, clean, max_iterations, use);
+  if(!given || !s.region.empty() || s.mesh.number_of_faces() > few_after || is_as_good_as_most(s))
+    return;
+  Mesh_keeper first(s);
+  const double demerits_of_first = demerits(s);
+  given->restore();
+  s.backwards = true;
+  run_progressively(s, clean, max_iterations, use);
+  s.backwards = false;
+  if(!(demerits(s) < demerits_of_first)) first.restore();
+}
+
+// The default schedule.
+inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
+                                 const Schedule_ingredients& use = {})
+{
+  s.prepare_coverage();
+  if(is_adapted(s)) return;
+  Good_mesh_keeper input(s);
+  const Improvement_options clean;
+  if(!use.size_aware) s.smoothing.size = 0;
+  if(use.last_resorts)
+    run_both_ways(s, clean, max_iterations, use);
+  else
+    run_progressively(s, clean, max_iterations, use);
   input.restore_unless_better();
   s.region.clear();
   s.progress = 1;

@@ -163,7 +163,7 @@ public:
   {
     s_.make_room();
     place_.assign(s_.workers.are_several() ? std::size_t(s_.mesh.vertex_end()) : 0, 0);
-    Walk walk(s_.mesh, wanted, 32, 1024);
+    Walk walk(s_.mesh, wanted, 32, 1024, s_.backwards);
     std::size_t moves = 0;
     for(std::size_t step = 0; step < walk.steps(); ++step) {
       const std::vector<Index>& nodes = walk.step(step);
