@@ -13,6 +13,8 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -204,27 +206,48 @@ private:
     return triangles_[t][0] == v ? 0 : triangles_[t][1] == v ? 1 : 2;
   }
 
+  struct Side // of a triangle, in the bucket of its lower end
+  {
+    Index high, triangle, side;
+    bool operator<(const Side& o) const
+    {
+      return std::tie(high, triangle, side) < std::tie(o.high, o.triangle, o.side);
+    }
+  };
+
   void link(const Edge_keys& sharp)
   {
     neighbours_.assign(triangles_.size(), { -1, -1, -1 });
     normals_.reserve(triangles_.size());
-    std::vector<std::array<Index, 4>> edges; // low, high, triangle, side
+    std::vector<std::size_t> first(points_.size() + 1, 0);
     for(std::size_t t = 0; t < triangles_.size(); ++t) {
       const auto c = triangle(Index(t));
       normals_.push_back(normalized(cross(c[1] - c[0], c[2] - c[0])));
+      for(int i = 0; i < 3; ++i) ++first[(std::min)(end(t, i), end(t, i + 1)) + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Side> sides(first.back());
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for(std::size_t t = 0; t < triangles_.size(); ++t)
       for(int i = 0; i < 3; ++i) {
-        const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
-        edges.push_back({ (std::min)(a, b), (std::max)(a, b), Index(t), Index(i) });
+        const Index a = end(t, i), b = end(t, i + 1);
+        sides[next[(std::min)(a, b)]++] = { (std::max)(a, b), Index(t), Index(i) };
       }
+    for(std::size_t v = 0; v < points_.size(); ++v) {
+      std::sort(sides.begin() + first[v], sides.begin() + first[v + 1]);
+      for(std::size_t i = first[v]; i + 1 < first[v + 1]; ++i)
+        link_sides(Index(v), sides[i], sides[i + 1], sharp);
     }
-    std::sort(edges.begin(), edges.end());
-    for(std::size_t i = 0; i + 1 < edges.size(); ++i) {
-      const auto &e = edges[i], &f = edges[i + 1];
-      if(e[0] != f[0] || e[1] != f[1]) continue;
-      if(std::binary_search(sharp.begin(), sharp.end(), std::make_pair(e[0], e[1]))) continue;
-      neighbours_[e[2]][e[3]] = f[2];
-      neighbours_[f[2]][f[3]] = e[2];
-    }
+  }
+
+  Index end(std::size_t t, int i) const { return triangles_[t][i % 3]; }
+
+  void link_sides(Index low, const Side& e, const Side& f, const Edge_keys& sharp)
+  {
+    if(e.high != f.high) return;
+    if(std::binary_search(sharp.begin(), sharp.end(), std::make_pair(low, e.high))) return;
+    neighbours_[e.triangle][e.side] = f.triangle;
+    neighbours_[f.triangle][f.side] = e.triangle;
   }
 
   void number_patches()

@@ -178,7 +178,7 @@ inline std::vector<Index> breadth_first_order(const Quad_complex& m)
 
 // Halves the sizes and all edges.  Since no face of the input is left then, all may be renumbered.
 // Sweeps over a million faces take half the time for it.
-inline void halve_all(Adaptation_state& s)
+inline void halve_all(Adaptation_state& s, int sweeps = 3)
 {
   Phase_scope phase(s, "refinement");
   s.scale_sizes(0.5);
@@ -191,7 +191,7 @@ inline void halve_all(Adaptation_state& s)
   s.forget_faces();
   s.disturb_all();
   s.stir_all();
-  smooth(s, 3);
+  if(sweeps > 0) smooth(s, sweeps);
 }
 
 } // namespace internal

@@ -5,7 +5,6 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
-#include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 
 #include <algorithm>
@@ -56,27 +55,13 @@ inline bool is_beyond_help(const Adaptation_state& s, Index f)
   return false;
 }
 
-// Where few faces ask for splits, or only a part of the mesh is worked on, the best that stay near;
-// else, or where there is no such solution, empty.
-inline std::vector<char> even_marks_near_wishes(const Adaptation_state& s, std::vector<double> wish,
-                                                double bend)
+// Edges that leave the part of the mesh to work on stay as they are.
+inline void fix_edges_outside(const Adaptation_state& s, std::vector<double>& wish)
 {
   const Quad_complex& m = s.mesh;
-  constexpr std::size_t few = 100; // one face in so many
-  constexpr int rings = 12;
-  std::vector<char> near = s.all_to_work_on();
-  if(s.region.empty()) {
-    std::vector<Index> asking;
-    for(Index f = 0; f < m.face_end(); ++f)
-      if(m.is_face(f) && *std::min_element(wish.begin() + 4 * f, wish.begin() + 4 * f + 4) < 0)
-        asking.push_back(f);
-    if(few * asking.size() > std::size_t(m.number_of_faces())) return {};
-    near = nodes_around(m, asking, rings);
-  }
   for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && !(near[m.origin(h)] && near[m.target(h)]))
+    if(m.is_face(m.face(h)) && !(s.is_to_work_on(m.origin(h)) && s.is_to_work_on(m.target(h))))
       wish[h] = std::numeric_limits<double>::infinity();
-  return even_marks(m, wish, bend);
 }
 
 // One conforming pass over the whole mesh: edges are halved where the size asks for it.
@@ -86,7 +71,12 @@ inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
 {
   s.check_cancelled();
   const std::vector<double> wish = split_wishes(s, o);
-  std::vector<char> split = even_marks_near_wishes(s, wish, o.bend);
+  std::vector<char> split;
+  if(!s.region.empty()) {
+    std::vector<double> inside = wish;
+    fix_edges_outside(s, inside);
+    split = even_marks(s.mesh, inside, o.bend);
+  }
   if(split.empty()) split = even_marks(s.mesh, wish, o.bend, infeasible);
   return split.empty() ? 0 : Split_templates(s, split)();
 }

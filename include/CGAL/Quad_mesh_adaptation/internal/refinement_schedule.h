@@ -37,8 +37,7 @@ inline void refine_by_templates(Adaptation_state& s, const Marking_options& mark
     smooth(s, 2);
   }
   clear_floors(s);
-  s.smoothing.wake = 0.01;
-  smooth(s, 3);
+  smooth(s, 2);
   s.smoothing.wake = fine;
 }
 
@@ -70,7 +69,7 @@ inline void refine_by_octaves(Adaptation_state& s, const Marking_options& markin
     return;
   }
   for(; octaves > 0; --octaves) {
-    halve_all(s);
+    halve_all(s, 0); // nodes between those of a smooth mesh are well placed, and move later
     refine_by_templates(s, marking, last - s.iterations - std::size_t(octaves - 1));
   }
 }

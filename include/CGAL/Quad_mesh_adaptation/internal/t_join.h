@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -23,6 +24,7 @@ struct T_join_options
 {
   std::size_t exact_limit = 14; ///< components with at most so many odd vertices are solved exactly
   std::size_t neighbours = 10;  ///< elsewhere, nearest odd vertices that are allowed as partners
+  double reach = 2;             ///< partners are looked for within so many ways to the first one
   std::size_t cycle_pairs = 30; ///< longest exchange of partners, in pairs
   std::size_t cycle_steps = 10000; ///< work allowed to one search for an exchange
 };
@@ -68,8 +70,7 @@ public:
     result.is_feasible = result.obstructions.empty();
     if(!result.is_feasible || m_terminals.empty()) return result;
 
-    make_cells();
-    span_terminals();
+    grow_cells();
     Alternating_cycles matching(m_terminals.size(), m_options.cycle_pairs, m_options.cycle_steps);
     match_along_forest(matching);
     const std::vector<char> first = join_of(matching);
@@ -121,15 +122,48 @@ private:
     return vertices;
   }
 
-  // Nearest terminal of every vertex, and the path to it.
-  void make_cells()
+  // Mostly each terminal has a partner near by.  So the cells grow no further than needed for each
+  // tree over them to hold an even number of terminals, and the rest of the graph is not visited.
+  void grow_cells()
+  {
+    double radius = 0;
+    for(Index t : m_terminals) {
+      double lightest = infinity();
+      for(const auto& a : m_graph.arcs(t)) lightest = (std::min)(lightest, a.weight);
+      if(std::isfinite(lightest)) radius = (std::max)(radius, lightest);
+    }
+    for(int attempt = 0; attempt < 3; ++attempt, radius *= 4) {
+      make_cells(radius);
+      span_terminals();
+      if(are_trees_even()) return;
+    }
+    make_cells(infinity());
+    span_terminals();
+  }
+
+  bool are_trees_even() const
+  {
+    std::vector<char> odd(m_terminals.size(), 1);
+    for(auto it = m_order.rbegin(); it != m_order.rend(); ++it) {
+      const Index up = m_up[*it];
+      if(up >= 0)
+        odd[up] ^= odd[*it];
+      else if(odd[*it])
+        return false;
+    }
+    return true;
+  }
+
+  // Nearest terminal of every vertex within the radius of one, and the path to it.
+  void make_cells(double radius)
   {
     const std::size_t n = m_graph.number_of_vertices();
+    m_cell.assign(n, -1);
     m_cell_edge.assign(n, -1);
     m_cell_parent.assign(n, -1);
     m_cell_distance.assign(n, 0);
     m_cell_order.clear();
-    m_paths.run(m_terminals, infinity(), std::size_t(-1), [&](Index v) {
+    m_paths.run(m_terminals, radius, std::size_t(-1), [&](Index v) {
       const Index p = m_paths.parent(v);
       m_cell[v] = p < 0 ? m_terminal_of[v] : m_cell[p];
       m_cell_edge[v] = m_paths.parent_edge(v);
@@ -147,6 +181,7 @@ private:
     for(std::size_t i = 0; i < m_edges.size(); ++i) {
       const T_join_edge& e = m_edges[i];
       if(!T_join_graph::is_usable(e, m_cell.size()) || m_cell[e.u] == m_cell[e.v]) continue;
+      if(m_cell[e.u] < 0 || m_cell[e.v] < 0) continue;
       bridges.push_back({ m_cell_distance[e.u] + e.weight + m_cell_distance[e.v], Index(i) });
     }
     std::sort(bridges.begin(), bridges.end());
@@ -228,7 +263,8 @@ private:
     const std::size_t budget =
         64 + 8 * m_options.neighbours * (m_graph.number_of_arcs() / m_terminals.size() + 1);
     for(Index t : group) {
-      m_paths.run(std::array<Index, 1>{ m_terminals[t] }, infinity(), budget, [&](Index v) {
+      const double radius = m_options.reach * matching.mate_length[t];
+      m_paths.run(std::array<Index, 1>{ m_terminals[t] }, radius, budget, [&](Index v) {
         const Index other = m_terminal_of[v];
         if(other >= 0 && other != t) matching.near[t].push_back({ other, m_paths.distance(v) });
         return matching.near[t].size() < m_options.neighbours;
