@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 
 #include <cmath>
