@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Size_sampler.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Triangle_tree.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Witness.h>
 #include <CGAL/Quad_mesh_adaptation/internal/choose_witnesses.h>
 

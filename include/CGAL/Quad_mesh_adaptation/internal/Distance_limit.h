@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
+#include <shared_mutex>
 #include <unordered_map>
 #include <vector>
 
@@ -102,15 +104,22 @@ private:
   {
     std::array<std::int64_t, 3> cell;
     for(int i = 0; i < 3; ++i) cell[i] = std::int64_t(std::floor(p[i] / cell_));
-    const auto known = starts_.find(cell);
-    Index t = known != starts_.end() ? known->second : Index(-1);
+    Index t = known_start(cell);
     if(t < 0) {
       const Vec half(0.5, 0.5, 0.5), corner{ double(cell[0]), double(cell[1]), double(cell[2]) };
       t = surface_.nearest_triangle(cell_ * (corner + half));
+      const std::unique_lock<std::shared_mutex> lock(mutex_);
       starts_.emplace(cell, t);
     }
     surface_.nearest_on(p, t);
     return t;
+  }
+
+  Index known_start(const std::array<std::int64_t, 3>& cell) const
+  {
+    const std::shared_lock<std::shared_mutex> lock(mutex_);
+    const auto known = starts_.find(cell);
+    return known != starts_.end() ? known->second : Index(-1);
   }
 
   static double mean_edge(const Reference_surface& s)
@@ -149,8 +158,9 @@ private:
 
   const Reference_surface& surface_;
   double allowed_, cell_;
-  std::vector<double> limit_; // infinite: none
-  std::vector<double> least_; // once lowered
+  std::vector<double> limit_;       // infinite: none
+  std::vector<double> least_;       // once lowered
+  mutable std::shared_mutex mutex_; // of the triangles near the centres of cells
   mutable std::unordered_map<std::array<std::int64_t, 3>, Index, Hash> starts_;
 };
 

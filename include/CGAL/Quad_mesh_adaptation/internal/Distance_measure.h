@@ -121,6 +121,7 @@ private:
   {
     if(s_.surface.is_planar()) return;
     collect_mesh();
+    if(is_mesh_the_reference()) return;
     const Index n = Index(s_.surface.triangles().size());
     std::vector<Index> foot(s_.surface.points().size(), -1), queue;
     std::vector<char> seen(std::size_t(n), 0);
@@ -140,6 +141,18 @@ private:
     face_below_.resize(foot.size(), -1);
     for(std::size_t v = 0; v < foot.size(); ++v)
       if(foot[v] >= 0) face_below_[v] = face_of_[foot[v] / 2];
+  }
+
+  // An input that is its own reference, before anything is done: no point is off the mesh.
+  bool is_mesh_the_reference()
+  {
+    if(s_.surface.has_lift() || mesh_.triangles() != s_.surface.triangles() ||
+       mesh_.points() != s_.surface.points())
+      return false;
+    face_below_.assign(s_.surface.points().size(), -1);
+    for(std::size_t t = mesh_.triangles().size(); t-- > 0;)
+      for(Index v : mesh_.triangles()[t]) face_below_[v] = face_of_[t / 2];
+    return true;
   }
 
   // `foot`: the triangle of the mesh nearest to a vertex of the reference, where it is known.
@@ -189,6 +202,7 @@ private:
       face_of_.push_back(f);
     }
     mesh_ = Reference_surface(std::move(soup.points), std::move(soup.triangles));
+    mesh_.expect_few_questions(); // one for each patch, mostly
   }
 
   const Adaptation_state& s_;

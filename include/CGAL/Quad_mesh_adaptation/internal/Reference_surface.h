@@ -57,6 +57,9 @@ public:
   }
   bool has_lift() const { return bool(lift_); }
 
+  // Then the tree is made without hints, which take time and memory.
+  void expect_few_questions() { with_hints_ = false; }
+
   bool is_planar() const { return planar_; }
   std::size_t number_of_triangles() const { return triangles_.size(); }
 
@@ -308,7 +311,7 @@ private:
       const auto c = triangle(Index(t));
       soup.emplace_back(pt(c[0]), pt(c[1]), pt(c[2]));
     }
-    return std::make_unique<Triangle_tree>(std::move(soup));
+    return std::make_unique<Triangle_tree>(std::move(soup), with_hints_);
   }
 
   struct Tree_on_demand
@@ -322,7 +325,7 @@ private:
   std::vector<Vec> normals_;
   std::vector<Index> patches_;
   Surface_lift lift_;
-  bool planar_ = false;
+  bool planar_ = false, with_hints_ = true;
   Vec plane_normal_ = Vec(0, 0, 1), plane_point_ = Vec(0, 0, 0);
   std::shared_ptr<Tree_on_demand> tree_ = std::make_shared<Tree_on_demand>(); // of all copies
 };

@@ -161,14 +161,9 @@ private:
       }
     // old edges are kept where the new mesh uses them, or a face that did not change
     keep_.assign(old_edges_.size(), 0);
-    std::vector<Edge_key> used;
-    for(Index h = 0; h < 4 * m_.face_end(); ++h)
-      if(m_.is_face(m_.face(h))) used.emplace_back(m_.origin(h), m_.target(h));
-    std::sort(used.begin(), used.end());
     for(std::size_t i = 0; i < old_edges_.size(); ++i) {
-      const Edge_key k = old_edges_[i].first;
-      keep_[i] = std::binary_search(used.begin(), used.end(), k) ||
-                 std::binary_search(used.begin(), used.end(), Edge_key(k.second, k.first));
+      const auto& [u, v] = old_edges_[i].first;
+      keep_[i] = m_.is_vertex(u) && m_.is_vertex(v) && m_.are_adjacent(u, v);
     }
     for(face_descriptor f : old_faces_) remove_face(f, mesh_);
   }

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_TO_DO_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_TO_DO_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
 #include <algorithm>
