@@ -11,6 +11,8 @@
 #include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
 #include <CGAL/adapt_quad_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Triangle_tree.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -67,20 +69,42 @@ std::vector<QMA::internal::Vertex_curvature> curvatures(const Shape& s)
   return QMA::internal::Curvature_estimator(arrays, std::cos(50 * pi / 180))();
 }
 
-// Largest distance from the faces to the torus, at 9 x 9 points of each.
+// 9 x 9 points of a bilinear face.
+std::vector<Vec> samples(const Shape& s, const shape_zoo::Quad& q)
+{
+  std::vector<Vec> list;
+  for(int i = 0; i <= 8; ++i)
+    for(int j = 0; j <= 8; ++j) {
+      const double u = i / 8., v = j / 8.;
+      list.push_back((1 - v) * ((1 - u) * s.points[q[0]] + u * s.points[q[1]]) +
+                     v * ((1 - u) * s.points[q[3]] + u * s.points[q[2]]));
+    }
+  return list;
+}
+
+// Largest distance from the faces to the torus.
 double distance_to_torus(const Mesh& mesh)
 {
   double far = 0;
   const Shape s = zoo_mesh::shape_of(mesh);
   for(const auto& q : s.quads)
-    for(int i = 0; i <= 8; ++i)
-      for(int j = 0; j <= 8; ++j) {
-        const double u = i / 8., v = j / 8.;
-        const Vec p = (1 - v) * ((1 - u) * s.points[q[0]] + u * s.points[q[1]]) +
-                      v * ((1 - u) * s.points[q[3]] + u * s.points[q[2]]);
-        far = (std::max)(far, std::abs(std::hypot(std::hypot(p.x(), p.y()) - 3, p.z()) - 1));
-      }
+    for(const Vec& p : samples(s, q))
+      far = (std::max)(far, std::abs(std::hypot(std::hypot(p.x(), p.y()) - 3, p.z()) - 1));
   return far;
+}
+
+std::vector<QMA::internal::Core_kernel::Triangle_3> triangles_of(const Mesh& mesh)
+{
+  std::vector<QMA::internal::Core_kernel::Triangle_3> list;
+  for(const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const auto point = [&](auto g) {
+      const Point& p = mesh.point(mesh.target(g));
+      return QMA::internal::Core_kernel::Point_3(p.x(), p.y(), p.z());
+    };
+    list.emplace_back(point(h), point(mesh.next(h)), point(mesh.prev(h)));
+  }
+  return list;
 }
 
 } // namespace
@@ -174,6 +198,48 @@ TEST(Curvature_sizing_field, MeetsTheChordErrorOnATorus)
     EXPECT_LE(found, 1.1 * error);
     EXPECT_GE(found, 0.7 * error); // not by far too fine
   }
+}
+
+// A shape by others, coarse and with folds of two or three faces at its legs and ears: each face.
+TEST(Curvature_sizing_field, MeetsTheChordErrorOnACow)
+{
+  Mesh mesh;
+  const auto read = QMA::read_quad_mesh(QUAD_MESH_DATA_DIR "/meshes/spot.off", mesh);
+  ASSERT_TRUE(read.ok()) << read.message;
+  Mesh facets = mesh;
+  CGAL::Polygon_mesh_processing::triangulate_faces(facets);
+  const QMA::internal::Triangle_tree tree(triangles_of(facets));
+  const double error = 0.015;
+  const QMA::Graded_sizing_field size(mesh, Curvature_sizing_field::chord_error(mesh, error), 0.3);
+  const QMA::Adaptation_report report = QMA::adapt_quad_mesh(size, mesh);
+  EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_met);
+  mesh.collect_garbage();
+  double largest = 0;
+  const Shape s = zoo_mesh::shape_of(mesh);
+  for(const auto& q : s.quads)
+    for(const Vec& p : samples(s, q)) {
+      const Vec foot = tree.nearest(p).point;
+      largest = (std::max)(largest, QMA::internal::distance(foot, p));
+    }
+  std::cout << "chord error " << error << ", found " << largest << ", " << s.quads.size()
+            << " faces" << std::endl;
+  EXPECT_LE(largest, 1.1 * error);
+  EXPECT_GE(largest, 0.7 * error);
+}
+
+// Folds count in full: faces that turn by 0.6 at one edge only, on a strip that is flat beside it.
+TEST(Curvature_sizing_field, SeesASingleFold)
+{
+  const double turn = 0.6, error = 0.1;
+  const Mesh mesh = mesh_of(shape_zoo::grid("fold", 16, 4, [=](Index i, Index j) {
+    const double x = i - 8.;
+    return Vec(std::cos(turn / 2) * x, j, -std::sin(turn / 2) * std::abs(x));
+  }));
+  const auto size = Curvature_sizing_field::chord_error(mesh, error);
+  const double h = size(Point(0, 2, 0));
+  EXPECT_LE(h * turn / 4, error); // an edge straight over it
+  EXPECT_GE(h * turn / 4, 0.4 * error);
+  EXPECT_GT(size(Point(6, 2, -6 * std::tan(turn / 2))), 5 * h);
 }
 
 TEST(Curvature_sizing_field, RefusesWhatMakesNoSense)

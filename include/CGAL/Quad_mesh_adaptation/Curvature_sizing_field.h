@@ -82,7 +82,7 @@ public:
           const double radius = 1 / k.deviation, e = (std::min)(error / longer_edges, radius);
           return 2 * std::sqrt(e) * std::sqrt(2 * radius - e);
         },
-        range, np);
+        range, np, error);
   }
 
   /// Target edge length at a point; always positive.
@@ -97,14 +97,14 @@ private:
 
   template <class PolygonMesh, class SizeOfCurvature, class NP>
   Curvature_sizing_field(const PolygonMesh& mesh, const SizeOfCurvature& size, Size_range range,
-                         const NP& np)
-      : field_(make(mesh, size, range, np))
+                         const NP& np, double error = 0)
+      : field_(make(mesh, size, range, np, error))
   {
   }
 
   template <class PolygonMesh, class SizeOfCurvature, class NP>
   static Nodal_sizing_field make(const PolygonMesh& mesh, const SizeOfCurvature& size,
-                                 Size_range range, const NP& np)
+                                 Size_range range, const NP& np, double error)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
@@ -123,8 +123,9 @@ private:
                               "Curvature_sizing_field");
     range.largest = (std::max)((std::min)(range.largest, arrays.diagonal()), range.smallest);
     const double cos_feature = angle >= 180 ? -2. : std::cos(angle * 3.14159265358979323846 / 180);
-    const std::vector<internal::Vertex_curvature> curvatures =
-        internal::Curvature_estimator(arrays, cos_feature)();
+    internal::Curvature_estimator estimator(arrays, cos_feature);
+    std::vector<internal::Vertex_curvature> curvatures = estimator();
+    if(error > 0) count_folds(arrays, estimator.features(), size, range, error, curvatures);
     auto sizes = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
     std::size_t i = 0;
     for(auto v : vertices(mesh)) {
@@ -132,6 +133,24 @@ private:
       put(sizes, v, k.largest > 0 ? range.clamp(size(k)) : range.largest);
     }
     return Nodal_sizing_field(mesh, sizes, np);
+  }
+
+  // Where a few faces turn sharply, their edges tell more than a fit to the faces around.
+  template <class SizeOfCurvature>
+  static void count_folds(const internal::Face_arrays& arrays, const std::vector<char>& features,
+                          const SizeOfCurvature& size, const Size_range& range, double error,
+                          std::vector<internal::Vertex_curvature>& curvatures)
+  {
+    const auto length = [&](double k) {
+      return range.clamp(size(internal::Vertex_curvature{ k, k }));
+    };
+    const std::vector<double> folds =
+        internal::Fold_curvature(arrays, features)(length, error, longer_edges);
+    for(std::size_t v = 0; v < curvatures.size(); ++v) {
+      internal::Vertex_curvature& k = curvatures[v];
+      k.deviation = (std::max)(k.deviation, folds[v]);
+      k.largest = (std::max)(k.largest, folds[v]);
+    }
   }
 
   Nodal_sizing_field field_;

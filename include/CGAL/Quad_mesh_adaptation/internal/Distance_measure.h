@@ -67,9 +67,22 @@ private:
         if(k >= 5 && m.curve(4 * f + k - 5) >= 0) continue; // measured as a curve
         const double u = at[k][0], v = at[k][1];
         const Vec q = (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * (u * p[2] + (1 - u) * p[3]);
-        note(f, distance(q, s_.surface.project(q, hint)), to_reference_);
+        note(f, to_surface(q, f, hint), to_reference_);
       }
     }
+  }
+
+  // Walking over the surface may stop at a border or behind a fold, too far away.
+  double to_surface(const Vec& q, Index f, Index& hint) const
+  {
+    const double d = distance(q, s_.surface.project(q, hint));
+    if(d <= to_reference_ && d <= care_) return d;
+    const Index k = s_.mesh.patch(f);
+    const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
+    Index nearer = s_.surface.find_nearer(q, patch, area_vector(s_.corners(f)), d);
+    if(nearer < 0) return d;
+    hint = nearer;
+    return (std::min)(d, distance(q, s_.surface.project(q, hint)));
   }
 
   void measure_curves()

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_VERTEX_CURVATURES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Fold_curvature.h>
 
 #include <Eigen/Dense>
 
@@ -54,7 +55,7 @@ public:
     for(Index h = 0; h < mesh_.number_of_halfedges(); ++h) {
       if(visited[h] >= 0) continue;
       std::vector<Index> faces; // around the origin of h, up to feature edges
-      for(Index g : fan(h)) {
+      for(Index g : fan_of(mesh_, is_feature_, h)) {
         visited[g] = sector;
         faces.push_back(mesh_.face[g]);
       }
@@ -64,28 +65,15 @@ public:
     return result;
   }
 
+  // By half-edge.
+  const std::vector<char>& features() const { return is_feature_; }
+
 private:
   bool turns(Index h) const
   {
     const Index o = mesh_.opposite[h];
     return o < 0 || mesh_.is_constrained[h] ||
            normals_[mesh_.face[h]] * normals_[mesh_.face[o]] < cos_feature_;
-  }
-
-  // The half-edges that leave the origin of h, from feature edge to feature edge or all around.
-  std::vector<Index> fan(Index h) const
-  {
-    std::vector<Index> list = { h };
-    for(Index g = h; !is_feature_[mesh_.prev(g)];) {
-      g = mesh_.opposite[mesh_.prev(g)];
-      if(g == h) return list;
-      list.push_back(g);
-    }
-    for(Index g = h; !is_feature_[g];) {
-      g = mesh_.next(mesh_.opposite[g]);
-      list.push_back(g);
-    }
-    return list;
   }
 
   // The neighbours of the faces, once or until there are enough for a fit that forgives noise.
