@@ -26,8 +26,9 @@ Requirements on the function, which no compiler can check:
 - A `curve_projector()` gives points of the surface of the `projector()`, if both are used.
 
 Corners are not projected, and curves only by the `curve_projector()`.  A projector cannot be
-combined with `smooth_reference()`.  Calls are made from one thread, some tens per node that is
-moved; a call that takes a microsecond will dominate the time.
+combined with `smooth_reference()`.  Calls are made from one thread, or from
+several with `concurrency(CGAL::Parallel_tag())`; some tens per node that is moved, so a call that
+takes a microsecond will dominate the time.
 
 \cgalRefines{CopyConstructible}
 
