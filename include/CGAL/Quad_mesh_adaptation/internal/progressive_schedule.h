@@ -185,11 +185,11 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
 }
 
-// Is the mesh as good as most come out?
-inline bool is_as_good_as_most(const Adaptation_state& s)
+// Has the mesh come out clearly worse than most do?
+inline bool is_poor(const Adaptation_state& s)
 {
-  return faces_too_large(s).empty() && shape_faults(s) < 0.05 && fraction_below(s, 0.5) < 0.005 &&
-         efficiency(s) > 0.8;
+  return !faces_too_large(s).empty() || shape_faults(s) > 0.2 || fraction_below(s, 0.5) > 0.03 ||
+         efficiency(s) < 0.6;
 }
 
 // What is wrong with a mesh, to be compared with another one for the same sizes.
@@ -197,28 +197,28 @@ inline double demerits(Adaptation_state& s)
 {
   const double too_small = fraction_below(s, 0.5) * double(s.mesh.number_of_faces());
   return s.total_energy() + 10 * shape_faults(s) + 10 * double(faces_too_large(s).size()) +
-         too_small;
+         3 * too_small;
 }
 
 // Where features and size leave room for few faces, the order of operations decides about much, and
-// one order may lead into a dead end.  So where a small mesh does not come out well, the other way
-// round is tried as well.
+// one order may lead into a dead end.  So where a small mesh comes out poor, the other way round is
+// tried as well, and taken where it is clearly better.
 inline void run_both_ways(Adaptation_state& s, const Improvement_options& clean,
                           std::size_t max_iterations, const Schedule_ingredients& use)
 {
   constexpr Index few_before = 10000, few_after = 2000;
+  constexpr double clearly = 0.9;
   std::optional<Mesh_keeper> given;
   if(s.mesh.number_of_faces() <= few_before) given.emplace(s);
   run_progressively(s, clean, max_iterations, use);
-  if(!given || !s.region.empty() || s.mesh.number_of_faces() > few_after || is_as_good_as_most(s))
-    return;
+  if(!given || !s.region.empty() || s.mesh.number_of_faces() > few_after || !is_poor(s)) return;
   Mesh_keeper first(s);
   const double demerits_of_first = demerits(s);
   given->restore();
   s.backwards = true;
   run_progressively(s, clean, max_iterations, use);
   s.backwards = false;
-  if(!(demerits(s) < demerits_of_first)) first.restore();
+  if(!(demerits(s) < clearly * demerits_of_first)) first.restore();
 }
 
 // The default schedule.
