@@ -86,6 +86,15 @@ sys.exit(not (r["after"]["faces"] == faces == sum(r["after"]["size_ratio"]["face
 fi
 grid 8 | awk 'NR > 2 && NF == 3 { print $1 / 2, $2 / 2, $3; next } { print }' >fine.off
 expect 0 '' plate.off out.off --size 0.8 --reference fine.off --quiet
+# threads change nothing, nor do they disturb an expression
+if "$program" --help | grep -q -- --threads; then
+  for threads in 1 2; do
+    expect 0 '' fine.off "with_$threads.off" --size-function '0.06 + 0.02 * x' \
+      --threads "$threads" --quiet
+  done
+  cmp with_1.off with_2.off || fail "the result depends on the number of threads"
+  expect 2 'threads' fine.off out.off --size 1 --threads 0
+fi
 # a size that jumps is graded: said, and many more faces; a gentle one stays as it is
 faces() { awk 'NR == 2 { print $2 }' "$1"; }
 expect 0 '' plate.off jump.off --size-function 'x < 1 ? 0.1 : 2' --quiet
