@@ -67,5 +67,6 @@ fi
 
 echo "Running the tests in build/$folder ..."
 export UBSAN_OPTIONS=print_stacktrace=1
+[[ $folder != sanitize ]] || export QUAD_MESH_ROUNDS=${QUAD_MESH_ROUNDS:-3} # of ten: slow there
 ctest --test-dir "build/$folder" --output-on-failure -j "$(nproc)" --no-tests=error \
   "${selection[@]}" | tee "build/$folder/ctest.log"
