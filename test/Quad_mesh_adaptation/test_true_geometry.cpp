@@ -278,7 +278,7 @@ TEST(Separate_reference, Rims)
     EXPECT_TRUE(on_end || on_cylinder);
     rim += on_end && on_cylinder;
   }
-  EXPECT_GT(rim, 70u); // about 2 * 2 pi / 0.12, but edges of a face may be longer than its mean
+  EXPECT_GT(rim, 80u);
 }
 
 // ... and a ridge that ends on the border.

@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t few = 1000; // threads would not pay
+  static constexpr std::size_t few = 2000; // threads would not pay
 
   std::vector<Index> nodes_, batch_;
   std::size_t steps_ = 0;
