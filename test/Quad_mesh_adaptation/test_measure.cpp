@@ -156,6 +156,17 @@ TEST(Measure_quality, rectangle_and_rhombus)
   EXPECT_NEAR(k.min_angle, 60., 1e-9);
   EXPECT_NEAR(k.max_angle, 120., 1e-9);
   EXPECT_EQ(k.inverted_faces, 0u);
+  EXPECT_EQ(k.max_warp, 0.);
+}
+
+TEST(Measure_quality, warp_of_a_folded_square)
+{
+  const std::vector<Quad> one = { { 0, 1, 2, 3 } };
+  const double half = std::acos(-1.) / 6, d = std::sqrt(0.5), c = d * std::cos(half),
+               s = d * std::sin(half); // by 60 degrees
+  const Mesh_measures m =
+      measure({ Vec(-d, 0, 0), Vec(0, -c, s), Vec(d, 0, 0), Vec(0, c, s) }, one, constant(1));
+  EXPECT_NEAR(m.max_warp, 2 * s, 1e-12);
 }
 
 TEST(Measure_quality, concave_folded_and_collapsed_faces_are_inverted)

@@ -69,6 +69,7 @@ inline void print_measures(std::ostream& out, const Mesh_measures& a, const Mesh
   row("scaled Jacobian, mean", a.mean_scaled_jacobian, b.mean_scaled_jacobian, "%.3f");
   row("smallest angle, degrees", a.min_angle, b.min_angle, "%.1f");
   row("largest angle, degrees", a.max_angle, b.max_angle, "%.1f");
+  row("largest warp", a.max_warp, b.max_warp, "%.3f");
   row("inverted faces", double(a.inverted_faces), double(b.inverted_faces), "%.0f");
   row("vertices off the reference", a.max_distance_to_reference, b.max_distance_to_reference,
       "%.2g");

@@ -46,6 +46,7 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Mesh_mea
         { "p5", m.p5_scaled_jacobian },
         { "mean", m.mean_scaled_jacobian } } },
     { "angle_degrees", { { "min", m.min_angle }, { "max", m.max_angle } } },
+    { "max_warp", m.max_warp },
     { "inverted_faces", m.inverted_faces },
     { "interior_vertices", m.interior_vertices },
     { "interior_valence", valence.is_null() ? nlohmann::ordered_json::object() : valence },

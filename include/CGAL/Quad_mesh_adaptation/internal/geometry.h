@@ -49,6 +49,16 @@ inline bool is_finite(const Vec& a)
   return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());
 }
 
+// How far a quadrilateral is from plane: the way between the middles of its diagonals, along the
+// normal, over half its mean edge length.
+inline double warp(const std::array<Vec, 4>& p)
+{
+  double edges = 0;
+  for(int i = 0; i < 4; ++i) edges += distance(p[i], p[(i + 1) & 3]);
+  const Vec n = normalized(cross(p[2] - p[0], p[3] - p[1]));
+  return edges > 0 ? 4 * std::abs((p[0] - p[1] + p[2] - p[3]) * n) / edges : 0.;
+}
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

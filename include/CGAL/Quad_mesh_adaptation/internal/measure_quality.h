@@ -20,6 +20,7 @@ struct Face_quality
 {
   double scaled_jacobian;      // Verdict; 0 for a face with a zero edge or without a normal
   double min_angle, max_angle; // radians, a reflex corner counts as more than pi
+  double warp;                 // see Mesh_measures
 };
 
 // The side from which a corner turns left is given by the cross product of the face's principal
@@ -32,7 +33,7 @@ inline Face_quality face_quality(const std::array<Vec, 4>& p)
   const Vec normal = normalized(cross(edge[0] - edge[2], edge[1] - edge[3]));
 
   Face_quality q = { std::numeric_limits<double>::infinity(),
-                     std::numeric_limits<double>::infinity(), 0. };
+                     std::numeric_limits<double>::infinity(), 0., warp(p) };
   for(int i = 0; i < 4; ++i) {
     const Vec& in = edge[(i + 3) % 4];
     const Vec& out = edge[i];
@@ -76,6 +77,7 @@ inline void measure_quality(const std::vector<Vec>& points, const std::vector<Qu
     if(!(q.scaled_jacobian > 0)) ++m.inverted_faces;
     min_angle = (std::min)(min_angle, q.min_angle);
     max_angle = (std::max)(max_angle, q.max_angle);
+    m.max_warp = (std::max)(m.max_warp, q.warp);
   }
   m.min_scaled_jacobian = *std::min_element(jacobians.begin(), jacobians.end());
   m.mean_scaled_jacobian = sum / double(quads.size());
