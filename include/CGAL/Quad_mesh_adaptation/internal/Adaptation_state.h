@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -58,6 +59,8 @@ struct Adaptation_state
   Size_sampler size;
   Coverage coverage; // of bends of the surface by the mesh, see prepare_coverage()
   Energy_weights energy;
+  double max_distance = (std::numeric_limits<double>::infinity)(); // to the reference, see
+                                                                   // distance_guard.h
   Smoothing_weights smoothing;
 
   std::vector<std::pair<const char*, std::size_t>> operations; // how often each was committed
@@ -157,17 +160,6 @@ struct Adaptation_state
   {
     if(!energies.is_known(f)) energies.set(f, float(face_energy(f)), mesh.face_end());
     return energies[f];
-  }
-
-  double total_energy()
-  {
-    prepare_coverage();
-    double sum = 0;
-    for(Index f = 0; f < mesh.face_end(); ++f)
-      if(mesh.is_face(f)) sum += cached_energy(f) + coverage.cost(f);
-    for(Index v = 0; v < mesh.vertex_end(); ++v)
-      if(mesh.is_vertex(v)) sum += valence_energy(mesh.vertex(v).faces, mesh.vertex(v));
-    return sum;
   }
 
   // Wanted size of face f over the sum of the sizes at its corners.  It changes little while the
@@ -275,13 +267,13 @@ struct Adaptation_state
     return is_folded(p, reference) ? normalized(reference) : normalized(area_vector(p));
   }
 
-  // Scaled Jacobian of a face, or how it follows the surface if that is less; -1 where it is
-  // folded over.
+  // Scaled Jacobian of a face, or how flat it is or follows the surface if that is less; -1 where
+  // it is folded over.
   static double face_quality(const Corners& p, const Facing& reference)
   {
     if(is_folded(p, reference.sum)) return -1;
-    return (std::min)(scaled_jacobian(p),
-                      following(reference.mean_cosine(normalized(area_vector(p)))));
+    return (std::min)({ scaled_jacobian(p), flatness(warp(p)),
+                        following(reference.mean_cosine(normalized(area_vector(p)))) });
   }
 
   // How many images of the faces at a node will meet there.

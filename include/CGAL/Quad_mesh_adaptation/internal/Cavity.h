@@ -5,7 +5,9 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CAVITY_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Node_relaxation.h>
+#include <CGAL/Quad_mesh_adaptation/internal/crease_sides.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
+#include <CGAL/Quad_mesh_adaptation/internal/distance_guard.h>
 
 #include <algorithm>
 #include <array>
@@ -143,8 +145,8 @@ public:
   // ratio.
   double worst_before() const;
   double worst_after() const;
-  // Does no face fall below `least`, or below the worst there was, and is as much of the surface
-  // covered as before?
+  // Does no face fall below `least`, or below the worst there was, is as much of the surface
+  // covered as before, and is none farther off than allowed that was not?
   bool keeps_shape(double least) const;
   double largest_before() const;
   double largest_after() const;
@@ -165,10 +167,14 @@ private:
   bool same_pairs(int n) const;
   bool curves_in_order() const;
   bool keeps_surface_covered() const;
+  bool keeps_distance() const;
+  double distance_after() const;
   bool has_parallel_edge() const;
   void count_corners();
   int limit_of(std::size_t n) const;
   void measure_before();
+  double valences_after() const;
+  int side_difference_after(int n) const;
   void set_factors();
   void gather(int n);
   bool is_inner(int n) const { return total_corners_[n] == new_corners_[n] && new_corners_[n] > 0; }

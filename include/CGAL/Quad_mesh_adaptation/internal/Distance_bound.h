@@ -48,6 +48,7 @@ public:
     if(!is_asked_for()) return;
     limit_ = std::make_unique<Distance_limit>(s_, allowed_);
     s_.coverage.set_bound(allowed_);
+    s_.max_distance = allowed_;
     refresh();
   }
 

@@ -42,7 +42,7 @@ public:
     for(std::size_t step = 0; step < walk.steps(); ++step, visited += batch_.size()) {
       batch_ = walk.step(step);
       if(visited % 1024 < batch_.size()) s_.check_cancelled();
-      if(s_.workers.are_several() && batch_.size() > 1) search_ahead();
+      if(is_searched_ahead()) search_ahead();
       for(std::size_t i = 0; i < batch_.size(); ++i)
         if(s_.mesh.is_vertex(batch_[i]) && improve_in_turn(i)) ++done;
       changed_.clear();
@@ -83,6 +83,8 @@ private:
     return Walk(s_.mesh, now, 500, 128, s_.backwards);
   }
 
+  bool is_searched_ahead() const { return s_.workers.are_several() && batch_.size() > 1; }
+
   void search_ahead()
   {
     s_.make_room();
@@ -94,7 +96,7 @@ private:
 
   bool improve_in_turn(std::size_t i)
   {
-    const bool is_ahead = s_.workers.are_several() && batch_.size() > 1;
+    const bool is_ahead = is_searched_ahead();
     bool done = false;
     if(!is_ahead || changed_.has(batch_[i])) {
       done = improve_at(batch_[i]);

@@ -17,7 +17,36 @@ inline void Cavity::measure_before()
   energy_before_ = 0;
   for(Index f : old_faces) energy_before_ += s_.cached_energy(f) + s_.coverage.cost(f);
   for(std::size_t n = 0; n < nodes.size(); ++n)
-    if(ids[n] >= 0) energy_before_ += s_.valence_energy(s_.mesh.vertex(ids[n]).faces, nodes[n]);
+    if(ids[n] >= 0)
+      energy_before_ += s_.valence_energy(s_.mesh.vertex(ids[n]).faces, nodes[n]) +
+                        side_energy(s_, side_difference(s_, ids[n]));
+}
+
+inline double Cavity::valences_after() const
+{
+  double e = 0;
+  for(int n = 0; n < int(nodes.size()); ++n) {
+    if(new_corners_[n] == 0) continue;
+    e += s_.valence_energy(total_corners_[n], nodes[n]);
+    if(is_on_crease(s_, nodes[n])) e += side_energy(s_, side_difference_after(n));
+  }
+  return e;
+}
+
+inline int Cavity::side_difference_after(int n) const
+{
+  const Quad_complex& m = s_.mesh;
+  Side_count sides;
+  for(int i = first_corner(n); i < corner_end_[n]; ++i)
+    sides.add(m.patch(quads[corner_list_[i] >> 2].parent));
+  if(ids[n] < 0) return sides.difference();
+  const Index start = m.vertex(ids[n]).halfedge;
+  Index h = start;
+  do {
+    if(!has_old_face(m.face(h))) sides.add(m.patch(m.face(h)));
+    h = m.turn_left(h);
+  } while(h >= 0 && h != start);
+  return sides.difference();
 }
 
 // Each quad wants the size of the face it comes from, for its sum of sizes at the nodes.
@@ -30,9 +59,7 @@ inline void Cavity::set_factors()
 
 inline double Cavity::energy_after()
 {
-  double e = 0;
-  for(std::size_t n = 0; n < nodes.size(); ++n)
-    if(new_corners_[n] > 0) e += s_.valence_energy(total_corners_[n], nodes[n]);
+  double e = valences_after();
   for(const Cavity_quad& q : quads)
     e += s_.face_energy(corners_of(q), reference_of(q), floor_of(q));
   for_each_witness([&](Index, int, double cost) { e += cost; });
@@ -73,9 +100,7 @@ inline void Cavity::gather_near(Index f)
 // from: cheap, and near enough to tell hopeless from promising.
 inline double Cavity::estimate_after()
 {
-  double e = 0;
-  for(std::size_t n = 0; n < nodes.size(); ++n)
-    if(new_corners_[n] > 0) e += s_.valence_energy(total_corners_[n], nodes[n]);
+  double e = valences_after();
   for(std::size_t k = 0; k < quads.size(); ++k) {
     const Cavity_quad& q = quads[k];
     const double sizes = nodes[q.v[0]].h + nodes[q.v[1]].h + nodes[q.v[2]].h + nodes[q.v[3]].h;
@@ -105,7 +130,38 @@ inline double Cavity::worst_after() const
 inline bool Cavity::keeps_shape(double least) const
 {
   const double before = worst_before();
-  return worst_after() >= (std::min)(least, before) && (before >= least || keeps_surface_covered());
+  return worst_after() >= (std::min)(least, before) &&
+         (before >= least || keeps_surface_covered()) && keeps_distance();
+}
+
+inline bool Cavity::keeps_distance() const
+{
+  if(!is_distance_limited(s_)) return true;
+  const double after = distance_after();
+  if(after <= s_.max_distance) return true;
+  double before = 0;
+  for(Index f : old_faces) before = (std::max)(before, distance_of(s_, f));
+  return after <= before;
+}
+
+inline double Cavity::distance_after() const
+{
+  double largest = 0;
+  for(const Cavity_quad& q : quads) {
+    const Corners p = corners_of(q);
+    Index hint = -1;
+    for(int v : q.v)
+      if(nodes[v].carrier == Carrier::surface) hint = nodes[v].hint;
+    if(hint < 0) hint = s_.triangle_near(q.parent, p[0]);
+    largest = (std::max)(largest, distance_of_face(s_, p, hint));
+    for(int i = 0; i < 4; ++i) {
+      const int a = q.v[i], b = q.v[(i + 1) & 3];
+      if(q.curve[i] >= 0)
+        largest = (std::max)(largest,
+                             distance_of_edge(s_, q.curve[i], nodes[a], ids[a], nodes[b], ids[b]));
+    }
+  }
+  return largest;
 }
 
 // Where faces turned away from the surface already, pulling the rim of a thin wall inward makes

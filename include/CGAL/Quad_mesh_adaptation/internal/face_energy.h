@@ -39,6 +39,10 @@ inline double scaled_jacobian(const Corners& p)
   return n * n > 0 ? worst : 0.;
 }
 
+// Warp as a quality to compare with scaled Jacobians: 1 for faces folded by 40 degrees or less, and
+// below the floor of shapes from some 65 degrees on.
+inline double flatness(double warp) { return (std::min)(1., 1 - 1.4 * (warp - 0.5)); }
+
 // Shape of one corner with edge vectors a, b and signed area D: s = (|a|^2 + |b|^2) / (2 D) - 1,
 // zero for the corner of a square (Knupp's shape metric).  The cost s + s^2 weighs the worst
 // corners more; where D is small it goes on as a steep line, so that an inverted corner has a

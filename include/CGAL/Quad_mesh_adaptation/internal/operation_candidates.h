@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/crease_sides.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/border_half_ring.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
@@ -12,6 +13,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/operators/vertex_rotation.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 namespace CGAL {
@@ -168,7 +170,7 @@ private:
     return s_.images_at(r) * r.faces > options_.max_valence && r.faces > r.ideal_faces;
   }
 
-  // Change of the valence term if v gets d more faces.
+  // Change of the valence term if v gets d more faces; of creases no more than can be.
   double valence_change(Index v, int d) const
   {
     const Vertex_record& r = s_.mesh.vertex(v);
@@ -179,7 +181,14 @@ private:
     const int most = images > 1 && relief_ ? 6 : options_.max_valence;
     if(d > 0 && (images > 1 || !s_.mesh.is_border_vertex(v)) && images * (r.faces + d) > most)
       return 1e6;
-    return s_.valence_energy(r.faces + d, r) - s_.valence_energy(r.faces, r);
+    return s_.valence_energy(r.faces + d, r) - s_.valence_energy(r.faces, r) + side_change(v, d);
+  }
+
+  double side_change(Index v, int d) const
+  {
+    const int before = std::abs(side_difference(s_, v));
+    if(before == 0) return 0.;
+    return side_energy(s_, (std::max)(0, before - std::abs(d))) - side_energy(s_, before);
   }
 
   // What the shapes and sizes of the star of v cost above the bare faces.

@@ -9,6 +9,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
+#include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,11 +36,11 @@ public:
     const std::vector<char> split = marks();
     if(std::find(split.begin(), split.end(), 1) == split.end()) return 0;
     const Quad_complex before = s_.mesh;
-    const double energy = s_.total_energy();
+    const double energy = total_energy(s_);
     Split_templates(s_, split)();
     s_.disturb_all();
     smooth(s_, 20);
-    if(s_.total_energy() < energy)
+    if(total_energy(s_) < energy)
       return std::size_t(s_.mesh.number_of_faces() - before.number_of_faces());
     s_.mesh = before;
     s_.forget_faces();

@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Node_relaxation.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
+#include <CGAL/Quad_mesh_adaptation/internal/distance_guard.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -109,6 +110,26 @@ inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_recor
   return turned > 0 || (least < turned_away && now < (1 - 1e-6) * before);
 }
 
+// Has the move of node v from `old` folded a face along its diagonal by more than some 60 degrees,
+// and by more than any was?  Corners alone say little about that, but `worst`, the least of the
+// corner measures, is below 0.87 then.
+inline bool warps_a_face(const Adaptation_state& s, Index v, const Vertex_record& old, double worst)
+{
+  constexpr double allowed = 0.7;
+  if(s.surface.is_planar() || worst > 0.87) return false;
+  double before = allowed, now = 0;
+  const Index start = s.mesh.vertex(v).halfedge;
+  Index h = start;
+  do {
+    Corners p = s.corners(s.mesh.face(h));
+    now = (std::max)(now, warp(p));
+    p[h & 3] = old.p;
+    before = (std::max)(before, warp(p));
+    h = s.mesh.turn_left(h);
+  } while(h >= 0 && h != start);
+  return now > before;
+}
+
 // Moves node v to a better place on its carrier; tells whether it moved far enough for its
 // neighbours to notice.
 inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
@@ -120,7 +141,8 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
   const Vertex_record old = r;
   if(!relax(r)) return false;
   const bool doubtful = relax.worst() < following(turned_away) + 0.05;
-  if(!is_order_kept(s, v, old) || (doubtful && loses_surface(s, v, old))) {
+  if(!is_order_kept(s, v, old) || (doubtful && loses_surface(s, v, old)) ||
+     warps_a_face(s, v, old, relax.worst()) || leaves_reference(s, v, old)) {
     r = old;
     return false;
   }
@@ -161,9 +183,11 @@ public:
   // Over the nodes that are marked; returns the number of moves.
   std::size_t operator()(const std::vector<char>& wanted)
   {
+    // enough for threads, few enough that what lies about all places stays in the cache
+    constexpr std::size_t places = 64;
     s_.make_room();
     place_.assign(s_.workers.are_several() ? std::size_t(s_.mesh.vertex_end()) : 0, 0);
-    Walk walk(s_.mesh, wanted, 32, 1024, s_.backwards);
+    Walk walk(s_.mesh, wanted, 500, places, s_.backwards);
     std::size_t moves = 0;
     for(std::size_t step = 0; step < walk.steps(); ++step) {
       const std::vector<Index>& nodes = walk.step(step);

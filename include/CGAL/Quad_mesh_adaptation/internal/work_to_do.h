@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
+#include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -126,7 +127,7 @@ public:
   {
     if(!is_good(s)) return;
     mesh_.emplace(s);
-    energy_ = at_stake_ = s.total_energy();
+    energy_ = at_stake_ = total_energy(s);
     const std::vector<Index> work = faces_to_work_on(s);
     if(!is_local(s, work)) return;
     at_stake_ = 0;
@@ -137,7 +138,7 @@ public:
   {
     if(!mesh_) return;
     const double share = faces_too_large(s_).empty() ? worth_a_change : worth_a_fault;
-    if(energy_ - s_.total_energy() < share * at_stake_) mesh_->restore();
+    if(energy_ - total_energy(s_) < share * at_stake_) mesh_->restore();
   }
 
 private:
