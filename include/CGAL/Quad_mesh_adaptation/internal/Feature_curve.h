@@ -39,7 +39,8 @@ public:
   bool is_constrained() const { return constrained; } // by the caller's map of constrained edges
 
   bool constrained = false;
-  int images = 1; // 2: the mesh will be completed by its mirror image along this curve
+  bool is_cut = false; // no curve of the whole, but where a part of it ends
+  int images = 1;      // 2: the mesh will be completed by its mirror image along this curve
   // The corners it runs between, -1 for a closed curve without corner.
   Index first_corner = -1, last_corner = -1;
 

@@ -39,8 +39,14 @@ struct Vertex_record
   std::int16_t ideal_faces = 4; // as the angle of the surface around it asks for
   std::int16_t images = 1;      // of a corner: how many images of its faces will meet in it
   Carrier carrier = Carrier::surface;
-  bool frozen = false; // neither moved nor removed
+  bool frozen = false; // neither moved nor removed; on curves for a while, see curve_bends.h
 };
+
+// Frozen vertices of the caller are corners.
+inline bool is_held_at_bend(const Vertex_record& r)
+{
+  return r.frozen && r.carrier == Carrier::curve;
+}
 
 // Quads only, as arrays: half-edge 4 f + i runs from corner i of face f to corner i + 1.
 // No printing, no geometry: topology, carriers and the records above.

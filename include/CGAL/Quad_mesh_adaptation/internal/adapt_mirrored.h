@@ -41,7 +41,10 @@ inline void set_images(const Mirror_part::Cut& cut, const Input_mesh& in,
                        Adaptation_state& part)
 {
   for(std::size_t c = 0; c < part.curves.size(); ++c)
-    if(cut.plane[c] >= 0) part.curves[c].images = 2;
+    if(cut.plane[c] >= 0) {
+      part.curves[c].images = 2;
+      part.curves[c].is_cut = !cut.is_feature[c];
+    }
   for(Index v = 0; v < Index(in.points.size()); ++v) {
     Vertex_record& r = part.mesh.vertex(v);
     r.frozen = whole.mesh.vertex(v).frozen; // a corner now, which is enough to hold it

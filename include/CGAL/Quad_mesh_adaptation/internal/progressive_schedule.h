@@ -7,10 +7,12 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
+#include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
@@ -100,6 +102,7 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
 inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean,
                            std::size_t max_passes, const Schedule_ingredients& use)
 {
+  Curve_bends(s).hold();
   smooth(s, 2);
   if(use.coarsening && is_too_fine(s)) {
     s.progress = 0.05;
@@ -175,6 +178,7 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
                               std::size_t max_iterations, const Schedule_ingredients& use)
 {
   const std::size_t last = s.iterations + max_iterations;
+  release_bends(s);
   const int octaves = approach_larger_sizes(s, clean, max_iterations, use);
   for(int left = octaves; left > 0; --left) {
     s.progress = 0.9 - 0.3 * left / octaves;
@@ -182,7 +186,9 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
     descend_one_octave(s, clean, last - s.iterations - std::size_t(left), use);
   }
   s.progress = 0.9;
+  if(Curve_bends(s).fit() > 0 && use.local_operations) polish(s, clean, 1, 0);
   if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
+  release_bends(s);
 }
 
 // Has the mesh come out clearly worse than most do?
@@ -196,7 +202,7 @@ inline bool is_poor(const Adaptation_state& s)
 inline double demerits(Adaptation_state& s)
 {
   const double too_small = fraction_below(s, 0.5) * double(s.mesh.number_of_faces());
-  return s.total_energy() + 10 * shape_faults(s) + 10 * double(faces_too_large(s).size()) +
+  return total_energy(s) + 10 * shape_faults(s) + 10 * double(faces_too_large(s).size()) +
          3 * too_small;
 }
 

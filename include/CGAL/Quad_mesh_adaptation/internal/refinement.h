@@ -49,7 +49,9 @@ inline bool is_beyond_help(const Adaptation_state& s, Index f)
   for(Index h = 4 * f; h < 4 * f + 4; ++h) {
     const Vertex_record &a = s.mesh.vertex(s.mesh.origin(h)), &b = s.mesh.vertex(s.mesh.target(h));
     const Index c = s.mesh.curve(h);
-    if(!(c >= 0 && s.curves[c].is_frozen()) && !(a.frozen && b.frozen)) continue;
+    // nodes held at bends of a curve do not hold its edges
+    const bool both = a.frozen && b.frozen && !is_held_at_bend(a) && !is_held_at_bend(b);
+    if(!(c >= 0 && s.curves[c].is_frozen()) && !both) continue;
     if(distance(a.p, b.p) > 1.2 * s.size.at_face(s.corners(f))) return true;
   }
   return false;

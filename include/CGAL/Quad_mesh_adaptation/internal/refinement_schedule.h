@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,7 @@ inline void refine_by_templates(Adaptation_state& s, const Marking_options& mark
   constexpr std::size_t few = 100; // one face in so many
   const double fine = s.smoothing.wake;
   s.smoothing.wake = 0.02;
+  Curve_bends(s).hold();
   for(std::size_t pass = 0; pass < max_passes; ++pass) {
     Phase_scope phase(s, "refinement");
     const std::size_t cut = refine_once(s, marking);
@@ -38,6 +40,7 @@ inline void refine_by_templates(Adaptation_state& s, const Marking_options& mark
   }
   clear_floors(s);
   smooth(s, 2);
+  release_bends(s);
   s.smoothing.wake = fine;
 }
 

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is kept of every shape, finer and coarser: corners to the last bit, curves on their
+// polylines with their length where they are refined, nodes on the sheet of their patch, neighbours
+// of patches, topology.  Found without the package, but for the numbers of
+// patches, which it must hand on.
+
+#include "support/feature_checks.h"
+#include "support/more_shapes.h"
+#include "support/zoo_mesh.h"
+
+#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace QMA = CGAL::Quad_mesh_adaptation;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using shape_zoo::Index;
+using shape_zoo::Shape;
+using shape_zoo::Vec;
+
+// Side of a cone cut off at both ends, with flat ends.
+Shape cone(Index n)
+{
+  Shape s = more_shapes::closed_cylinder(n);
+  for(Vec& p : s.points) p = Vec((1 - 0.4 * p.z()) * p.x(), (1 - 0.4 * p.z()) * p.y(), p.z());
+  s.name = "cone";
+  return s;
+}
+
+Shape box()
+{
+  return shape_zoo::voxels("box", { 6, 4, 3 }, [](Index, Index, Index) { return true; });
+}
+
+Shape read(const std::string& name)
+{
+  Mesh mesh;
+  const auto result =
+      QMA::read_quad_mesh(std::string(QUAD_MESH_DATA_DIR "/meshes/") + name + ".off", mesh);
+  EXPECT_TRUE(result.ok()) << result.message;
+  Shape s = zoo_mesh::shape_of(mesh);
+  s.name = name;
+  return s;
+}
+
+struct Marked
+{
+  Shape shape;
+  std::vector<int> patch;
+};
+
+Marked adapt(const Shape& s, const std::vector<int>& patch, double factor)
+{
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(s);
+  auto map = mesh.add_property_map<Mesh::Face_index, int>("f:patch", -1).first;
+  std::size_t i = 0;
+  for(auto f : mesh.faces()) map[f] = patch[i++];
+  const mesh_checks::Facts before = mesh_checks::facts_of(s.points, s.quads);
+  const QMA::Adaptation_report report = QMA::adapt_quad_mesh(factor * zoo_mesh::mean_edge(s), mesh,
+                                                             CGAL::parameters::face_patch_map(map));
+  EXPECT_TRUE(report.has_valid_mesh()) << report.message;
+  mesh.collect_garbage();
+  zoo_mesh::expect_valid(mesh, before);
+  Marked m;
+  m.shape = zoo_mesh::shape_of(mesh);
+  for(auto f : mesh.faces()) m.patch.push_back(map[f]);
+  return m;
+}
+
+void expect_kept(const Shape& s, double factor)
+{
+  SCOPED_TRACE(s.name + ", " + std::to_string(factor));
+  const std::vector<int> patch = feature_checks::patches(s, 40);
+  const feature_checks::Features given = feature_checks::features(s, patch);
+  const Marked m = adapt(s, patch, factor);
+  const feature_checks::Features found = feature_checks::features(m.shape, m.patch);
+  EXPECT_EQ(found.neighbours, given.neighbours);
+  EXPECT_LE(feature_checks::nodes_off_curves(m.shape, found, s, given),
+            1e-9 * feature_checks::size_of(s));
+  EXPECT_LE(feature_checks::nodes_off_patches(m.shape, m.patch, s, patch),
+            1e-9 * feature_checks::size_of(s));
+  for(Index v : given.corners)
+    EXPECT_EQ(std::count(m.shape.points.begin(), m.shape.points.end(), s.points[v]), 1);
+  EXPECT_EQ(found.corners.size(), given.corners.size());
+  if(factor < 1) {
+    EXPECT_NEAR(found.length, given.length, 1e-3 * given.length);
+  } else {
+    EXPECT_LE(found.length, (1 + 1e-9) * given.length);
+  }
+}
+
+} // namespace
+
+TEST(Features_kept, OnEveryShape)
+{
+  std::vector<Shape> shapes = shape_zoo::all();
+  for(const Shape& s : { box(), more_shapes::bracket(), more_shapes::closed_cylinder(4), cone(4),
+                         more_shapes::two_sheets(0.08), more_shapes::thin_box(0.08),
+                         more_shapes::two_spheres(6, 0.02), more_shapes::ridge(3) })
+    shapes.push_back(s);
+  for(const Shape& s : shapes)
+    for(double factor : { 0.5, 2., 4. }) expect_kept(s, factor);
+}
+
+TEST(Features_kept, OnMeshesByOthers)
+{
+  for(const char* name : { "box_cylinder", "cylinder_hex", "icf", "pawn",
+                           "rotated_ellipse_with_subregions", "spot", "star" }) {
+    const Shape s = read(name);
+    for(double factor : { 0.7, 2. }) expect_kept(s, factor);
+  }
+  expect_kept(read("makehuman_body"), 2.);
+}
