@@ -199,6 +199,17 @@ TEST(Close_sheets, ThinBox)
 
 // Without features nodes may go round the rim, but not through the wall, and the rim does not slide
 // inward until nothing is left of the box.
+// The faces on the rim of a thin plate are slivers, longer ones in a coarser mesh; that is no
+// reason to leave the mesh as fine as it is.
+TEST(Close_sheets, ThinBoxIsThinnedOut)
+{
+  for(double thickness : { 0.3, 0.08, 0.02 }) {
+    const Adapted a = adapt(more_shapes::thin_box(thickness), 2.);
+    EXPECT_LE(a.report.after.faces, 80u) << thickness; // of 160; 48 would do
+    EXPECT_GT(a.report.after.min_scaled_jacobian, 0.6) << thickness;
+  }
+}
+
 TEST(Close_sheets, ThinBoxWithoutFeatures)
 {
   const Shape box = more_shapes::thin_box(0.08);

@@ -73,6 +73,21 @@ struct Corner_cost
   static constexpr double limit() { return at_flat() + slope() * (1 + 2 * flat); }
 };
 
+// The same for operations, of a corner with squared edge lengths la and lb; but slivers with right
+// angles and an aspect ratio above 8, as on the rim of a thin plate, cost less than twice as much
+// if they are twice as long, or a row of them could never be thinned.
+inline double corner_energy(double la, double lb, double D)
+{
+  constexpr double sliver = 4, narrow = 0.02; // s + 1; t = 1 / (s + 1) where a line takes over
+  const double N = la + lb, cost = Corner_cost::value(N, D);
+  if(!(2 * sliver * D < N) || !(D > 0)) return cost;
+  const double square = std::clamp(5 * D / std::sqrt(la * lb) - 4, 0., 1.); // from 53 to 90 degrees
+  const double t = 2 * D / N, slope = sliver * (2 * sliver - 1);
+  const double flatter = sliver * (sliver - 1) - slope * std::log(sliver * (std::max)(t, narrow)) +
+                         slope * (std::max)(1 - t / narrow, 0.);
+  return cost + square * (flatter - cost);
+}
+
 // Mean corner cost of a face, measured along the unit normal n.
 inline double shape_cost(const Corners& p, const Vec& n)
 {
@@ -80,9 +95,8 @@ inline double shape_cost(const Corners& p, const Vec& n)
   const double l[4] = { e[0] * e[0], e[1] * e[1], e[2] * e[2], e[3] * e[3] };
   // opposite corners add up to the cross product of the diagonals
   const double d0 = n * cross(e[3], e[0]), d1 = n * cross(e[0], e[1]), both = n * area_vector(p);
-  return 0.25 *
-         (Corner_cost::value(l[3] + l[0], d0) + Corner_cost::value(l[0] + l[1], d1) +
-          Corner_cost::value(l[1] + l[2], both - d0) + Corner_cost::value(l[2] + l[3], both - d1));
+  return 0.25 * (corner_energy(l[3], l[0], d0) + corner_energy(l[0], l[1], d1) +
+                 corner_energy(l[1], l[2], both - d0) + corner_energy(l[2], l[3], both - d1));
 }
 
 // Where a face should look: the unit normals of the reference surface at its corners, added up.
