@@ -9,8 +9,10 @@
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
 
 #include <cstdio>
+#include <map>
 #include <ostream>
 #include <string>
+#include <utility>
 
 namespace report_printing {
 
@@ -92,6 +94,26 @@ inline void print_valences(std::ostream& out, const Mesh_measures& a, const Mesh
   }
 }
 
+// How many faces have a poor shape, and what forbids a better one.
+inline void print_poor_faces(std::ostream& out, const Adaptation_report& report)
+{
+  using CGAL::Quad_mesh_adaptation::Shape_limit;
+  if(report.poor_faces.empty()) return;
+  std::map<Shape_limit, std::size_t> count;
+  for(const auto& p : report.poor_faces) ++count[p.limit];
+  out << format("Faces with a scaled Jacobian below %.2f: ",
+                CGAL::Quad_mesh_adaptation::Poor_face::floor)
+      << report.poor_faces.size();
+  const std::pair<Shape_limit, const char*> reasons[] = {
+    { Shape_limit::feature_angle, "where features meet at a small angle" },
+    { Shape_limit::held_nodes, "between nodes that must not move" },
+    { Shape_limit::curved_surface, "where the surface turns by more than 60 degrees" }
+  };
+  for(const auto& reason : reasons)
+    if(count[reason.first] > 0) out << ", " << count[reason.first] << ' ' << reason.second;
+  out << '\n';
+}
+
 inline void print_times(std::ostream& out, const Adaptation_report& report)
 {
   double total = 0;
@@ -119,6 +141,7 @@ inline void print_report(std::ostream& out,
     print_measures(out, report.before, report.after);
     print_valences(out, report.before, report.after);
     out << '\n';
+    print_poor_faces(out, report);
     print_times(out, report);
     if(report.expected_number_of_faces > 0)
       out << format("Faces expected beforehand %.0f\n", report.expected_number_of_faces);

@@ -66,6 +66,17 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Size_gro
            { "largest_jump", g.largest_jump },           { "is_too_steep", g.is_too_steep() } };
 }
 
+inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Poor_face& p)
+{
+  nlohmann::ordered_json j = { { "face", p.face },
+                               { "scaled_jacobian", p.scaled_jacobian },
+                               { "limit", name_of(p.limit) } };
+  if(p.limit != CGAL::Quad_mesh_adaptation::Shape_limit::feature_angle) return j;
+  j["angle"] = p.angle;
+  j["vertex"] = p.vertex;
+  return j;
+}
+
 /// The whole report; numbers that are not finite become null.
 inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptation_report& report)
 {
@@ -73,6 +84,8 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptati
                          seconds = nlohmann::ordered_json::object();
   for(const auto& operation : report.operations) operations[operation.name] = operation.count;
   for(const auto& phase : report.times) seconds[phase.name] = phase.seconds;
+  nlohmann::ordered_json poor = nlohmann::ordered_json::array();
+  for(const auto& p : report.poor_faces) poor.push_back(to_json(p));
   return { { "status", name_of(report.status) },
            { "reason", name_of(report.reason) },
            { "message", report.message },
@@ -89,7 +102,8 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptati
            { "feature_curves", report.feature_curves },
            { "corners", report.corners },
            { "faces_too_large", report.faces_too_large },
-           { "faces_too_far", report.faces_too_far } };
+           { "faces_too_far", report.faces_too_far },
+           { "poor_faces", poor } };
 }
 
 #endif // QUAD_MESH_ADAPTATION_EXAMPLES_REPORT_JSON_H

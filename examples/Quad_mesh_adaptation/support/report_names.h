@@ -56,4 +56,21 @@ inline const char* name_of(CGAL::Quad_mesh_adaptation::Refusal reason)
   return "unknown";
 }
 
+/// The name of what keeps a face from a better shape, as in the source.
+inline const char* name_of(CGAL::Quad_mesh_adaptation::Shape_limit limit)
+{
+  using CGAL::Quad_mesh_adaptation::Shape_limit;
+  switch(limit) {
+  case Shape_limit::none:
+    return "none";
+  case Shape_limit::feature_angle:
+    return "feature_angle";
+  case Shape_limit::held_nodes:
+    return "held_nodes";
+  case Shape_limit::curved_surface:
+    return "curved_surface";
+  }
+  return "unknown";
+}
+
 #endif // QUAD_MESH_ADAPTATION_EXAMPLES_REPORT_NAMES_H

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_ADAPTATION_REPORT_H
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+#include <CGAL/Quad_mesh_adaptation/Poor_face.h>
 #include <CGAL/Quad_mesh_adaptation/Size_growth.h>
 
 #include <array>
@@ -83,6 +84,8 @@ struct Adaptation_report
   std::vector<std::size_t> faces_too_large;
   /// Faces farther from the reference than `max_distance()` allows, the same way; empty without.
   std::vector<std::size_t> faces_too_far;
+  /// Faces with a scaled Jacobian below `Poor_face::floor`, the same way, and what holds each.
+  std::vector<Poor_face> poor_faces;
 
   /// What the mesh has in features, detected or given: maximal sets of faces that no feature curve
   /// parts, curves from corner to corner or closed, borders among them, and corners.

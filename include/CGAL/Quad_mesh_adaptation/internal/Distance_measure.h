@@ -6,7 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
-#include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <algorithm>
 #include <array>

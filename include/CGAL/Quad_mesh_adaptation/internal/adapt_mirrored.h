@@ -6,8 +6,8 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_unfolding.h>
+#include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mirror_planes.h>
-#include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,8 +11,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_matcher.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Smooth_surface.h>
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
-#include <CGAL/Quad_mesh_adaptation/internal/User_projector.h>
-#include <CGAL/Quad_mesh_adaptation/parameters.h>
+#include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,23 +24,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-struct Feature_options
-{
-  double feature_angle = default_feature_angle; // degrees
-};
-
-// What nodes are to stay on, beside the input itself.
-struct Geometry_options
-{
-  const Triangle_soup* reference = nullptr;
-  bool smooth = false;
-  User_projector projector;                  // empty: none
-  std::function<Vec(const Vec&)> curve_lift; // empty: none
-
-  // Nodes stay on the facets and polylines of the input.
-  bool is_flat_input() const { return !reference && !smooth && !projector && !curve_lift; }
-};
 
 // Finds border, creases, corners and curves of the input and puts every node on its carrier.
 class State_builder

@@ -5,11 +5,13 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CORE_CALLS_H
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+#include <CGAL/Quad_mesh_adaptation/Poor_face.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
-#include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 // The calls from the templates over the caller's mesh down into the core, which knows no such
 // template.  They are inline, and the package header-only, unless
@@ -33,6 +35,9 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void build_state(const Input_mesh& in,
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL Mesh_measures
 measured_state(const Adaptation_state& s, const std::optional<Triangle_soup>& reference);
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL std::vector<Poor_face> poor_faces(const Adaptation_state& s,
+                                                                      double floor);
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double expected_faces(const Adaptation_state& s,
                                                           double ideal_number_of_faces,

@@ -4,10 +4,12 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CORE_CALLS_IMPL_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CORE_CALLS_IMPL_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/expected_count.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/paper_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
 
 namespace CGAL {
@@ -26,6 +28,12 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL Mesh_measures
 measured_state(const Adaptation_state& s, const std::optional<Triangle_soup>& reference)
 {
   return measure_state(s, reference);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL std::vector<Poor_face> poor_faces(const Adaptation_state& s,
+                                                                      double floor)
+{
+  return poor_shapes(s, floor);
 }
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double expected_faces(const Adaptation_state& s,

@@ -62,6 +62,29 @@ inline bool is_order_kept(const Adaptation_state& s, Index v, const Vertex_recor
   return true;
 }
 
+// Arc lengths of origin and target of h on its curve.
+inline void ends_on_curve(const Adaptation_state& s, Index h, double& su, double& sv)
+{
+  const Index curve = s.mesh.curve(h);
+  const Feature_curve& c = s.curves[curve];
+  const Index u = s.mesh.origin(h), v = s.mesh.target(h);
+  // corner w, next to x: on a loop it stands for both ends of the curve, and the way the curve
+  // goes on beyond x tells for which
+  const auto corner = [&](Index w, Index x) {
+    if(c.first_corner != c.last_corner) return w == c.first_corner ? 0. : c.length();
+    const Vertex_record& node = s.mesh.vertex(x);
+    for(Index y : curve_neighbours(s.mesh, x, curve))
+      if(y >= 0 && y != w) return s.mesh.vertex(y).param > node.param ? 0. : c.length();
+    return 0.;
+  };
+  const auto arc = [&](Index w, Index x) {
+    const Vertex_record& r = s.mesh.vertex(w);
+    return r.carrier == Carrier::curve ? r.param : corner(w, x);
+  };
+  su = arc(u, v);
+  sv = arc(v, u);
+}
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

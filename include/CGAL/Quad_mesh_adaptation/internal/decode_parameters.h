@@ -8,7 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_clock.h>
-#include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 

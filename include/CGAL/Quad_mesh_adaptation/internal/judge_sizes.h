@@ -5,7 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_JUDGE_SIZES_H
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
-#include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
+#include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <algorithm>

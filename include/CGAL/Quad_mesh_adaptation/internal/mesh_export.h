@@ -53,6 +53,10 @@ public:
 
   // The caller's face for face f of the state, after the call.
   face_descriptor face_of(Index f) const { return face(halfedge_of_[4 * f], mesh_); }
+  vertex_descriptor vertex_of(Index v) const
+  {
+    return source(halfedge_of_[s_.mesh.vertex(v).halfedge], mesh_);
+  }
 
 private:
   static halfedge_descriptor null() { return Traits::null_halfedge(); }

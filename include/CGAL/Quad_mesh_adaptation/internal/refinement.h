@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFINEMENT_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
+#include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
 
 #include <algorithm>
@@ -41,20 +42,6 @@ inline double mean_square_ratio(const Adaptation_state& s)
 inline bool is_too_fine(const Adaptation_state& s)
 {
   return mean_square_ratio(s) < 0.75 || fraction_below(s, 0.7) > 0.01;
-}
-
-// Is a face held too large by an edge that must not change?
-inline bool is_beyond_help(const Adaptation_state& s, Index f)
-{
-  for(Index h = 4 * f; h < 4 * f + 4; ++h) {
-    const Vertex_record &a = s.mesh.vertex(s.mesh.origin(h)), &b = s.mesh.vertex(s.mesh.target(h));
-    const Index c = s.mesh.curve(h);
-    // nodes held at bends of a curve do not hold its edges
-    const bool both = a.frozen && b.frozen && !is_held_at_bend(a) && !is_held_at_bend(b);
-    if(!(c >= 0 && s.curves[c].is_frozen()) && !both) continue;
-    if(distance(a.p, b.p) > 1.2 * s.size.at_face(s.corners(f))) return true;
-  }
-  return false;
 }
 
 // Edges that leave the part of the mesh to work on stay as they are.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Positions.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
@@ -45,35 +46,6 @@ inline void advise_on_sizes(const Input_mesh& in, const Size_sampler& sizes,
                                            [&sizes](const Vec& p) { return sizes.unscaled(p); });
   const std::string text = advice_on(report.size_growth);
   if(!text.empty()) report.advice.push_back(text);
-}
-
-template <typename Vertex, typename QuadMesh>
-long position_of(const Vertex& wanted, const QuadMesh& mesh)
-{
-  long position = 0;
-  for(const auto& v : vertices(mesh)) {
-    if(v == wanted) return position;
-    ++position;
-  }
-  return -1;
-}
-
-// Where the faces of the state stand in the iteration over the caller's mesh.
-template <typename Export, typename QuadMesh>
-std::vector<std::size_t> positions_of(const std::vector<Index>& faces_of_state,
-                                      const Export& written, const QuadMesh& mesh)
-{
-  std::vector<std::size_t> list;
-  if(faces_of_state.empty()) return list;
-  auto marked = get(CGAL::dynamic_face_property_t<bool>(), mesh);
-  for(auto f : faces(mesh)) put(marked, f, false);
-  for(Index f : faces_of_state) put(marked, written.face_of(f), true);
-  std::size_t position = 0;
-  for(auto f : faces(mesh)) {
-    if(get(marked, f)) list.push_back(position);
-    ++position;
-  }
-  return list;
 }
 
 inline void count_features(const Adaptation_state& s, Adaptation_report& report)
@@ -119,7 +91,7 @@ inline void leave_idle_reference(const Input_mesh& in, const Feature_options& fe
   if(!own.is_flat_input() || !s.surface.is_planar()) return;
   Adaptation_state flat;
   observe_part(s, 1, flat);
-  State_builder(in, features, flat)(own);
+  build_state(in, features, own, flat);
   if(!is_same_flat_surface(s, flat)) return;
   geometry = own;
   s = std::move(flat);
@@ -194,8 +166,10 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     Mesh_export<QuadMesh, decltype(vpm), decltype(ecm)> write(mesh, vpm, ecm, in, descriptors, s);
     write(); // from here on nothing of the caller's is called any more but his maps
     put_patches(s, write, import.patches(), fpm);
-    report.faces_too_large = positions_of(large, write, mesh);
-    report.faces_too_far = positions_of(far, write, mesh);
+    Positions<decltype(write), QuadMesh> positions(write, mesh);
+    report.faces_too_large = positions.of_faces(large);
+    report.faces_too_far = positions.of_faces(far);
+    report.poor_faces = numbered(poor_faces(s, Poor_face::floor), write, mesh, positions);
   } catch(const Refused& e) {
     report.status = e.reason == Refusal::invalid_size ? Adaptation_status::sizes_refused
                                                       : Adaptation_status::input_refused;

@@ -17,14 +17,6 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Has v more faces than a smooth place should have, all images of a mirror plane counted?
-inline bool is_crowded(const Adaptation_state& s, Index v)
-{
-  const Vertex_record& r = s.mesh.vertex(v);
-  const int images = s.images_at(r);
-  return images * r.faces > 5 && (r.carrier == Carrier::surface || images > 1) && !r.frozen;
-}
-
 // Faces below `least`, and those about crowded nodes, where the mesh is worked on.
 inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
 {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 
@@ -18,17 +19,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// Largest size ratio that counts as "not larger".
-constexpr double size_tolerance = 1 + 1e-9;
-
-inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limit = size_tolerance)
-{
-  std::vector<Index> list;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && s.size_ratio(f) > limit) list.push_back(f);
-  return list;
-}
 
 // The faces too large that pressure may bring down: pressing on the others only spoils them.
 inline std::vector<Index> faces_to_press(const Adaptation_state& s)

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FAULTS_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FAULTS_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Largest size ratio that counts as "not larger".
+constexpr double size_tolerance = 1 + 1e-9;
+
+inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limit = size_tolerance)
+{
+  std::vector<Index> list;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && s.size_ratio(f) > limit) list.push_back(f);
+  return list;
+}
+
+// Is a face held too large by an edge that must not change?
+inline bool is_beyond_help(const Adaptation_state& s, Index f)
+{
+  for(Index h = 4 * f; h < 4 * f + 4; ++h) {
+    const Vertex_record &a = s.mesh.vertex(s.mesh.origin(h)), &b = s.mesh.vertex(s.mesh.target(h));
+    const Index c = s.mesh.curve(h);
+    // nodes held at bends of a curve do not hold its edges
+    const bool both = a.frozen && b.frozen && !is_held_at_bend(a) && !is_held_at_bend(b);
+    if(!(c >= 0 && s.curves[c].is_frozen()) && !both) continue;
+    if(distance(a.p, b.p) > 1.2 * s.size.at_face(s.corners(f))) return true;
+  }
+  return false;
+}
+
+// Has v more faces than a smooth place should have, all images of a mirror plane counted?
+inline bool is_crowded(const Adaptation_state& s, Index v)
+{
+  const Vertex_record& r = s.mesh.vertex(v);
+  const int images = s.images_at(r);
+  return images * r.faces > 5 && (r.carrier == Carrier::surface || images > 1) && !r.frozen;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FAULTS_H

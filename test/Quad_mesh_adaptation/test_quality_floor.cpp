@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// No face of an adapted mesh has a poor shape unless something of the input forbids a better one,
+// and the report says which faces these are and why.
+
+#include "support/more_shapes.h"
+#include "support/zoo_mesh.h"
+
+#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace QMA = CGAL::Quad_mesh_adaptation;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using QMA::Adaptation_report;
+using QMA::Poor_face;
+using QMA::Shape_limit;
+using shape_zoo::Index;
+using shape_zoo::Shape;
+using shape_zoo::Vec;
+
+// Kite with n x n faces: the given angle at the origin, about a right one at the other three.
+Shape kite(Index n, double degrees)
+{
+  const double t = std::tan(degrees * 3.14159265358979323846 / 360);
+  const Vec a(1, -t, 0), b(1, t, 0), c(1 + t, 0, 0);
+  return shape_zoo::grid("kite", n, n, [=](Index i, Index j) {
+    const double u = double(i) / n, v = double(j) / n;
+    return u * (1 - v) * a + (1 - u) * v * b + u * v * c;
+  });
+}
+
+Shape read(const std::string& name)
+{
+  Mesh mesh;
+  const auto result =
+      QMA::read_quad_mesh(std::string(QUAD_MESH_DATA_DIR "/meshes/") + name + ".off", mesh);
+  EXPECT_TRUE(result.ok()) << result.message;
+  Shape s = zoo_mesh::shape_of(mesh);
+  s.name = name;
+  return s;
+}
+
+// What the list of poor faces says must be true of the mesh.
+void expect_true(const Adaptation_report& report, const Mesh& mesh)
+{
+  std::vector<double> jacobian;
+  for(auto f : mesh.faces()) {
+    std::array<Vec, 4> p;
+    int i = 0;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      p[i++] = Vec(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+    jacobian.push_back(mesh_checks::scaled_jacobian(p[0], p[1], p[2], p[3]));
+  }
+  std::size_t poor = 0;
+  for(double j : jacobian)
+    if(j < Poor_face::floor) ++poor;
+  ASSERT_EQ(report.poor_faces.size(), poor);
+  for(const Poor_face& p : report.poor_faces)
+    EXPECT_NEAR(p.scaled_jacobian, jacobian.at(p.face), 1e-9);
+}
+
+Adaptation_report adapt(const Shape& s, double factor, Mesh& mesh)
+{
+  mesh = zoo_mesh::make<Mesh, Point>(s);
+  const mesh_checks::Facts before = mesh_checks::facts_of(s.points, s.quads);
+  const Adaptation_report report = QMA::adapt_quad_mesh(factor * zoo_mesh::mean_edge(s), mesh);
+  EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_met) << report.message;
+  expect_true(report, mesh);
+  Mesh packed = mesh;
+  packed.collect_garbage();
+  zoo_mesh::expect_valid(packed, before);
+  return report;
+}
+
+void expect_good_shapes(const Shape& s, double factor)
+{
+  SCOPED_TRACE(s.name + ", " + std::to_string(factor));
+  Mesh mesh;
+  const Adaptation_report report = adapt(s, factor, mesh);
+  EXPECT_EQ(report.after.inverted_faces, 0u);
+  // a hair below the floor, a face is not worth two: the rim of the closed cylinder has such
+  for(const Poor_face& p : report.poor_faces)
+    EXPECT_TRUE(p.limit != Shape_limit::none || p.scaled_jacobian > 0.44)
+        << "face " << p.face << ", " << p.scaled_jacobian;
+}
+
+} // namespace
+
+TEST(Quality_floor, HoldsOnEveryShape)
+{
+  std::vector<Shape> shapes = shape_zoo::all();
+  for(const Shape& s :
+      { more_shapes::bracket(), more_shapes::closed_cylinder(4), more_shapes::paraboloid(4),
+        more_shapes::ridge(12), more_shapes::two_sheets(0.08), more_shapes::two_spheres(4, 0.02),
+        more_shapes::thin_box(0.1), kite(8, 40) })
+    shapes.push_back(s);
+  for(const Shape& s : shapes)
+    for(double factor : { 0.35, 0.6, 1.7, 3. }) expect_good_shapes(s, factor);
+}
+
+TEST(Quality_floor, HoldsOnRealMeshes)
+{
+  for(const char* name : { "box_cylinder", "cylinder_hex", "pawn", "star" })
+    for(double factor : { 0.5, 0.8, 2., 5. }) expect_good_shapes(read(name), factor);
+}
+
+TEST(Quality_floor, SmallAnglesOfFeaturesAreNamed)
+{
+  for(double degrees : { 12., 18., 25. })
+    for(double factor : { 0.4, 0.7, 1.5 }) {
+      SCOPED_TRACE(std::to_string(degrees) + ", " + std::to_string(factor));
+      Mesh mesh;
+      const Adaptation_report report = adapt(kite(8, degrees), factor, mesh);
+      ASSERT_EQ(report.poor_faces.size(), 1u);
+      const Poor_face& p = report.poor_faces.front();
+      EXPECT_EQ(p.limit, Shape_limit::feature_angle);
+      EXPECT_NEAR(p.angle, degrees, 1e-6);
+      EXPECT_EQ(mesh.point(*std::next(mesh.vertices_begin(), long(p.vertex))), Point(0, 0, 0));
+    }
+}
+
+TEST(Quality_floor, HeldNodesAreNamed)
+{
+  Shape s = shape_zoo::plate(6, 6);
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(s);
+  // a face drawn out of shape and held so
+  const auto held = mesh.add_property_map<Mesh::Vertex_index, bool>("v:held", false).first;
+  const auto h = mesh.halfedge(Mesh::Face_index(14));
+  for(auto v : mesh.vertices_around_face(h)) held[v] = true;
+  const Point p = mesh.point(mesh.target(h)), q = mesh.point(mesh.source(mesh.prev(h)));
+  mesh.point(mesh.target(h)) =
+      Point(p.x() + 0.4 * (q.x() - p.x()), p.y() + 0.4 * (q.y() - p.y()), 0);
+  const Adaptation_report report =
+      QMA::adapt_quad_mesh(1.2, mesh, CGAL::parameters::vertex_is_constrained_map(held));
+  ASSERT_TRUE(report.has_valid_mesh()) << report.message;
+  expect_true(report, mesh);
+  for(const Poor_face& p : report.poor_faces) EXPECT_EQ(p.limit, Shape_limit::held_nodes);
+}
