@@ -79,7 +79,7 @@ struct Adaptation_state
   std::function<void(const char*, std::size_t)> end_phase = [](const char*, std::size_t) {};
   std::size_t iterations = 0; // passes of the driver's loop
   std::size_t copies = 1;     // mirror images that make the whole mesh
-  bool backwards = false;     // walks start at the last node: another way to choose among equals
+  int order = 0;              // of walks, see Walk: other ways to choose among equals
 
   Corners corners(Index f) const
   {

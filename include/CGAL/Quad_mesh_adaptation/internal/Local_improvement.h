@@ -80,7 +80,7 @@ private:
     now.swap(s_.stirred);
     now.resize(s_.mesh.vertex_end(), 1);
     s_.stirred.assign(now.size(), 0);
-    return Walk(s_.mesh, now, 500, 128, s_.backwards);
+    return Walk(s_.mesh, now, 500, 128, s_.order);
   }
 
   bool is_searched_ahead() const { return s_.workers.are_several() && batch_.size() > 1; }

@@ -23,6 +23,8 @@ public:
   {
   }
 
+  const Quad_complex& mesh() const { return mesh_; }
+
   // All is as it was; once only.
   void restore()
   {

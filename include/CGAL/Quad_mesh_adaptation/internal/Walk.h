@@ -8,25 +8,39 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// Ways to choose among equals: 0 leaves a list as it is, 1 turns it round, others mix it, each in
+// its own way, which is the same with every compiler.
+template <typename T>
+void put_in_order(std::vector<T>& list, int order)
+{
+  if(order == 1) std::reverse(list.begin(), list.end());
+  if(order <= 1) return;
+  std::mt19937 random{ std::uint32_t(order) };
+  for(std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[random() % i]);
+}
+
 // A walk over marked nodes at several places at once, a step at each in turn.  The nodes of one
 // step are far from each other, but for a few, so that threads can work on them side by side; the
-// order depends on the marks alone.
+// order depends on the marks and on the choice of one alone.
 class Walk
 {
 public:
   // A new place for every `stretch` nodes, up to `most` places; one place for few nodes.
   Walk(const Quad_complex& m, const std::vector<char>& marks, std::size_t stretch, std::size_t most,
-       bool backwards)
+       int order)
   {
     for(Index v = 0; v < m.vertex_end(); ++v)
       if(marks[v] && m.is_vertex(v)) nodes_.push_back(v);
-    if(backwards) std::reverse(nodes_.begin(), nodes_.end());
+    put_in_order(nodes_, order);
     std::size_t places = nodes_.size() < few ? 1 : nodes_.size() / stretch;
     places = (std::min)((std::max)(places, std::size_t(1)), most);
     steps_ = (nodes_.size() + places - 1) / places;

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHORD_COARSENING_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 
 #include <algorithm>
@@ -43,14 +44,14 @@ public:
 private:
   // Chords of faces too small on average, by their mean width over the wanted size, so that a mesh
   // is thinned in the direction in which it is finer; and one half-edge of each.
-  std::vector<std::pair<double, Index>> candidates()
+  std::vector<std::pair<float, Index>> candidates()
   {
     const Quad_complex& m = s_.mesh;
     std::vector<float> ratio(m.face_end(), 0);
     for(Index f = 0; f < m.face_end(); ++f)
       if(m.is_face(f)) ratio[f] = float(s_.size_ratio(f));
     std::vector<char> seen(4 * std::size_t(m.face_end()), 0);
-    std::vector<std::pair<double, Index>> list;
+    std::vector<std::pair<float, Index>> list; // rounded: equals are told by the order
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
       if(!m.is_face(m.face(h)) || seen[h]) continue;
       const Chord c = chord_through(m, h);
@@ -65,9 +66,12 @@ private:
       }
       for(Index f : c.faces) size += ratio[f];
       width /= double(c.rungs.size());
-      if(may_go && size < 0.95 * double(c.faces.size()) && width < 1) list.push_back({ width, h });
+      if(may_go && size < 0.95 * double(c.faces.size()) && width < 1)
+        list.push_back({ float(width), h });
     }
-    std::stable_sort(list.begin(), list.end());
+    put_in_order(list, s_.order);
+    std::stable_sort(list.begin(), list.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     return list;
   }
 

@@ -24,20 +24,25 @@ struct Curve_bend
 {
   double arc;                  // where on the curve
   double shorter, mean_length; // of the two edges of the polyline
+  double turn;                 // radians
+
+  // The share of its length that the curve loses at worst if edges as long as h pass it by.
+  double loss(double h) const { return turn * turn / 8 * (std::min)(1., h / mean_length); }
 };
+
+constexpr double curve_loss_allowed = 7e-4;
 
 // The bends of a curve that cost more than they may if nodes pass them by.
 inline std::vector<Curve_bend> bends_of(const Feature_curve& c)
 {
-  constexpr double share = 3e-4; // of the length
   const std::vector<Vec>& p = c.points();
   const std::size_t n = p.size() - 1;
   std::vector<Curve_bend> bends;
   for(std::size_t i = c.is_closed() ? 0 : 1; i < n; ++i) {
     const Vec a = p[i] - p[i == 0 ? n - 1 : i - 1], b = p[i + 1] - p[i];
     const double turn = std::atan2(norm(cross(a, b)), a * b), la = norm(a), lb = norm(b);
-    if(turn * turn / 8 > share)
-      bends.push_back({ c.arcs()[i], (std::min)(la, lb), 0.5 * (la + lb) });
+    if(turn * turn / 8 > curve_loss_allowed)
+      bends.push_back({ c.arcs()[i], (std::min)(la, lb), 0.5 * (la + lb), turn });
   }
   return bends;
 }
@@ -73,7 +78,7 @@ public:
     for_each_bend([&](const Curve_bend& b, Index v, double way) {
       Vertex_record& r = s_.mesh.vertex(v);
       if(std::abs(way) > 1e-9 * b.shorter || b.mean_length < edges_between * r.h ||
-         b.shorter < least * r.h)
+         b.shorter < least * r.h || b.loss(r.h) < curve_loss_allowed)
         return;
       held += r.frozen ? 0 : 1;
       r.frozen = true;
@@ -89,7 +94,9 @@ public:
     std::vector<Move> moves;
     for_each_bend([&](const Curve_bend& b, Index v, double way) {
       Vertex_record& r = s_.mesh.vertex(v);
-      if(r.frozen || b.shorter < edges_between * r.h || std::abs(way) > 0.4 * b.shorter) return;
+      if(r.frozen || b.shorter < edges_between * r.h || std::abs(way) > 0.4 * b.shorter ||
+         b.loss(r.h) < curve_loss_allowed)
+        return;
       r.frozen = true;
       moves.push_back({ v, b.arc });
     });

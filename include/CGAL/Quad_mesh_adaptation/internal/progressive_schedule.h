@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
@@ -191,40 +192,21 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
   release_bends(s);
 }
 
-// Has the mesh come out clearly worse than most do?
-inline bool is_poor(const Adaptation_state& s)
-{
-  return !faces_too_large(s).empty() || shape_faults(s) > 0.2 || fraction_below(s, 0.5) > 0.03 ||
-         efficiency(s) < 0.6;
-}
-
-// What is wrong with a mesh, to be compared with another one for the same sizes.
-inline double demerits(Adaptation_state& s)
-{
-  const double too_small = fraction_below(s, 0.5) * double(s.mesh.number_of_faces());
-  return total_energy(s) + 10 * shape_faults(s) + 10 * double(faces_too_large(s).size()) +
-         3 * too_small;
-}
-
-// Where features and size leave room for few faces, the order of operations decides about much, and
-// one order may lead into a dead end.  So where a small mesh comes out poor, the other way round is
-// tried as well, and taken where it is clearly better.
-inline void run_both_ways(Adaptation_state& s, const Improvement_options& clean,
-                          std::size_t max_iterations, const Schedule_ingredients& use)
+// Where features and size leave room for few faces, the order of operations decides about much. So
+// where a small mesh comes out poor, other ways are tried as well, and taken where they are clearly
+// better.
+inline void run_with_detours(Adaptation_state& s, const Improvement_options& clean,
+                             std::size_t max_iterations, const Schedule_ingredients& use)
 {
   constexpr Index few_before = 10000, few_after = 2000;
-  constexpr double clearly = 0.9;
-  std::optional<Mesh_keeper> given;
-  if(s.mesh.number_of_faces() <= few_before) given.emplace(s);
-  run_progressively(s, clean, max_iterations, use);
-  if(!given || !s.region.empty() || s.mesh.number_of_faces() > few_after || !is_poor(s)) return;
-  Mesh_keeper first(s);
-  const double demerits_of_first = demerits(s);
-  given->restore();
-  s.backwards = true;
-  run_progressively(s, clean, max_iterations, use);
-  s.backwards = false;
-  if(!(demerits(s) < clearly * demerits_of_first)) first.restore();
+  const auto run = [&] { run_progressively(s, clean, max_iterations, use); };
+  std::optional<Detours> detours;
+  if(s.mesh.number_of_faces() <= few_before && s.region.empty()) detours.emplace(s, run);
+  run();
+  if(!detours || s.mesh.number_of_faces() > few_after) return;
+  if(use.coarsening) detours->finer();
+  detours->in_order(1);
+  detours->in_order(2);
 }
 
 // The default schedule.
@@ -237,7 +219,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   if(use.last_resorts)
-    run_both_ways(s, clean, max_iterations, use);
+    run_with_detours(s, clean, max_iterations, use);
   else
     run_progressively(s, clean, max_iterations, use);
   input.restore_unless_better();

@@ -187,7 +187,7 @@ public:
     constexpr std::size_t places = 64;
     s_.make_room();
     place_.assign(s_.workers.are_several() ? std::size_t(s_.mesh.vertex_end()) : 0, 0);
-    Walk walk(s_.mesh, wanted, 500, places, s_.backwards);
+    Walk walk(s_.mesh, wanted, 500, places, s_.order);
     std::size_t moves = 0;
     for(std::size_t step = 0; step < walk.steps(); ++step) {
       const std::vector<Index>& nodes = walk.step(step);
