@@ -105,10 +105,13 @@ private:
     if(!(change < to_beat)) return change;
     if(!c.keeps_shape(options_.min_jacobian)) return refused;
     if(options_.keep_within_size &&
-       c.largest_after() > (std::max)(s_.energy.tolerated, c.largest_before()))
+       c.largest_after() > (std::max)(s_.energy.tolerated, c.largest_before()) && !is_rescue(c))
       return refused;
     return change;
   }
+
+  // An inverted face is worse than one that is too large.
+  static bool is_rescue(const Cavity& c) { return c.worst_before() <= 0 && c.worst_after() > 0.2; }
 
   // The same steps as in a trial, so that the nodes come to the same places.
   void relax_again()

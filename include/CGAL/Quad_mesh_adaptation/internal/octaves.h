@@ -155,6 +155,23 @@ inline double efficiency(const Adaptation_state& s)
   return ideal / double(s.mesh.number_of_faces());
 }
 
+// Where faces are folded over each other, cuts may leave as much too large as there was, and more
+// faces after each pass: refinement ends when there are far more than it can ever need.
+class Growth_limit
+{
+public:
+  explicit Growth_limit(const Adaptation_state& s)
+      : s_(s), most_(10 * (1 + 4 * efficiency(s)) * double(s.mesh.number_of_faces()))
+  {
+  }
+
+  bool is_exceeded() const { return double(s_.mesh.number_of_faces()) > most_; }
+
+private:
+  const Adaptation_state& s_;
+  double most_;
+};
+
 // All faces, each beside one that comes not long before it.
 inline std::vector<Index> breadth_first_order(const Quad_complex& m)
 {

@@ -106,7 +106,7 @@ public:
     if(options_.swap) collect_swaps(v);
     if(options_.rotate) collect_rotation(v);
     if(options_.border && find_border_pair(s_.mesh, v, pair_)) collect_border();
-    if(options_.open && out_.size() == 1) collect_insertion(v);
+    if(options_.open) collect_insertions(v);
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Operation_candidate& a, const Operation_candidate& b) {
                        return a.bound < b.bound;
@@ -310,11 +310,18 @@ private:
     if(faces <= options_.max_valence) add(Operation_kind::border_collapse, b.v, -1, collapse);
   }
 
-  // A border node with one flat face, which is no corner.
-  void collect_insertion(Index v)
+  // A node on a curve, no corner, with one flat face on a side.
+  void collect_insertions(Index v)
   {
-    if(s_.mesh.vertex(v).ideal_faces < 2) return;
-    const Index f = s_.mesh.face(out_[0]);
+    const Quad_complex& m = s_.mesh;
+    const bool border = out_.size() == 1;
+    if(border ? m.vertex(v).ideal_faces < 2 : m.vertex(v).carrier != Carrier::curve) return;
+    for(Index h : out_)
+      if(border || (m.curve(h) >= 0 && m.curve(m.prev(h)) >= 0)) collect_insertion(v, m.face(h));
+  }
+
+  void collect_insertion(Index v, Index f)
+  {
     double bound = 4 * (s_.energy.face + s_.energy.valence) - slack(v);
     for(Index u : s_.mesh.quad(f)) bound += valence_change(u, 1);
     if(is_quad_insertion_allowed(s_, f)) add(Operation_kind::insertion, f, -1, bound);

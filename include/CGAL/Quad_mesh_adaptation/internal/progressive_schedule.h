@@ -34,6 +34,7 @@ struct Schedule_ingredients
   bool coarsening = true;        // before refinement, with relaxed valences
   bool edge_marking = true;      // else faces too large are cut in four
   bool octaves = true;           // first a mesh for sizes larger by powers of two
+  bool trial_halving = true;     // of such a mesh, to see whether it lies well on the surface then
   bool progressive_sizes = true; // floors where the mesh is too coarse yet
   bool size_aware = true;        // smoothing knows the size
   bool local_operations = true;  // clean-up between levels, annealing and polishing
@@ -47,7 +48,8 @@ struct Schedule_ingredients
 inline void refine_progressively(Adaptation_state& s, const Improvement_options& clean,
                                  std::size_t max_passes, const Schedule_ingredients& use = {})
 {
-  for(std::size_t pass = 0; pass < max_passes; ++pass) {
+  const Growth_limit limit(s);
+  for(std::size_t pass = 0; pass < max_passes && !limit.is_exceeded(); ++pass) {
     if(use.edge_marking) {
       clear_floors(s);
       if(s.region.empty()) insert_rows(s);
@@ -144,6 +146,30 @@ inline bool is_worth_halving(const Adaptation_state& s, Index given_faces)
          (s.mesh.number_of_faces() > given_faces || covers_surface(s));
 }
 
+inline double worst_quality(const Adaptation_state& s)
+{
+  double worst = 1;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f))
+      worst = (std::min)(worst, s.face_quality(s.corners(f), s.reference_normal(f)));
+  return worst;
+}
+
+// Do halved faces lie well on the surface?  In narrow folds and at sharp tips they may come out
+// folded over, and once they are nothing unfolds them.
+inline bool halves_well(Adaptation_state& s)
+{
+  constexpr double useless = 0.02;
+  if(s.surface.is_planar()) return true;
+  const double before = worst_quality(s);
+  Mesh_keeper mesh(s);
+  halve_all(s, 1);
+  const bool well = worst_quality(s) >= (std::min)(useless, before);
+  s.scale_sizes(2);
+  mesh.restore();
+  return well;
+}
+
 // The same for sizes doubled as often as makes sense.  A solution that takes far too many faces
 // would do so after each halving; then there is one octave less.  Returns how many octaves are
 // left.
@@ -158,7 +184,7 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
     Mesh_keeper input(s);
     approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
     if(use.last_resorts) enforce_sizes(s, clean, 16);
-    if(is_worth_halving(s, given_faces)) return octaves;
+    if(is_worth_halving(s, given_faces) && (!use.trial_halving || halves_well(s))) return octaves;
     input.restore();
     s.scale_sizes(0.5);
   }
@@ -209,6 +235,24 @@ inline void run_with_detours(Adaptation_state& s, const Improvement_options& cle
   detours->in_order(2);
 }
 
+// Where faces of the input are folded over, either way to larger meshes may leave some that are:
+// from a mesh for larger sizes, although halving it folds faces, or without one.
+inline void run_both_ways(Adaptation_state& s, const Improvement_options& clean,
+                          std::size_t max_iterations, const Schedule_ingredients& use)
+{
+  std::optional<Mesh_keeper> given;
+  if(!s.surface.is_planar()) given.emplace(s);
+  run_with_detours(s, clean, max_iterations, use);
+  if(!given || worst_quality(s) > 0) return;
+  Mesh_keeper first(s);
+  const double demerits_of_first = demerits(s);
+  Schedule_ingredients other = use;
+  other.trial_halving = false;
+  given->restore();
+  run_progressively(s, clean, max_iterations, other);
+  if(demerits(s) >= demerits_of_first) first.restore();
+}
+
 // The default schedule.
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
                                  const Schedule_ingredients& use = {})
@@ -219,7 +263,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   if(use.last_resorts)
-    run_with_detours(s, clean, max_iterations, use);
+    run_both_ways(s, clean, max_iterations, use);
   else
     run_progressively(s, clean, max_iterations, use);
   input.restore_unless_better();

@@ -29,7 +29,8 @@ inline void refine_by_templates(Adaptation_state& s, const Marking_options& mark
   const double fine = s.smoothing.wake;
   s.smoothing.wake = 0.02;
   Curve_bends(s).hold();
-  for(std::size_t pass = 0; pass < max_passes; ++pass) {
+  const Growth_limit limit(s);
+  for(std::size_t pass = 0; pass < max_passes && !limit.is_exceeded(); ++pass) {
     Phase_scope phase(s, "refinement");
     const std::size_t cut = refine_once(s, marking);
     if(cut == 0) break;

@@ -37,14 +37,22 @@ inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
 
 constexpr double shape_floor = 0.58; // of the quality of faces
 
+// What a face lacks of the floor; a face that is nearly or wholly useless counts as several poor
+// ones.
+inline double shape_fault(const Adaptation_state& s, Index f)
+{
+  constexpr double useless = 0.15, times = 10;
+  const double quality = s.face_quality(s.corners(f), s.reference_normal(f));
+  return (std::max)(shape_floor - quality, 0.) + times * (std::max)(useless - quality, 0.);
+}
+
 // How much is wrong: what faces lack of the floor, and faces too many at nodes.
 inline double shape_faults(const Adaptation_state& s)
 {
   const Quad_complex& m = s.mesh;
   double faults = 0;
   for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f))
-      faults += (std::max)(shape_floor - s.face_quality(s.corners(f), s.reference_normal(f)), 0.);
+    if(m.is_face(f)) faults += shape_fault(s, f);
   for(Index v = 0; v < m.vertex_end(); ++v)
     if(m.is_vertex(v) && is_crowded(s, v))
       faults += s.images_at(m.vertex(v)) * m.vertex(v).faces - 5;

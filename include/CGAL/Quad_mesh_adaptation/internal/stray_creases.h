@@ -26,7 +26,8 @@ inline double turn_across(const Adaptation_state& s, Index h)
 
 // Where a smooth surface is meshed coarsely it turns by much at single edges, and those look like
 // creases that end somewhere on the surface.  A detected crease with such a free end is one only if
-// it turns much more than the rows of edges beside it; else it is taken back.
+// it turns much more than the rows of edges beside it; else it is taken back.  Creases beside it
+// that have no free end are none of that: two of them may run close to each other along a step.
 class Stray_creases
 {
 public:
@@ -50,6 +51,8 @@ public:
     std::vector<Index> ends;
     for(Index v = 0; v < s_.mesh.vertex_end(); ++v)
       if(is_free_end(v)) ends.push_back(v);
+    is_suspect_.assign(4 * std::size_t(s_.mesh.face_end()), 0);
+    for(Index v : ends) suspect(branch_from(v));
     std::size_t removed = 0;
     while(!ends.empty()) {
       const Index v = ends.back();
@@ -61,7 +64,10 @@ public:
         remove(h);
         // where branches met there may be a free end now
         for(const Index u : { s_.mesh.origin(h), s_.mesh.target(h) })
-          if(is_free_end(u)) ends.push_back(u);
+          if(is_free_end(u)) {
+            ends.push_back(u);
+            suspect(branch_from(u));
+          }
       }
       removed += branch.size();
     }
@@ -90,6 +96,17 @@ private:
     }
   }
 
+  void suspect(const std::vector<Index>& branch)
+  {
+    for(const Index h : branch) is_suspect_[h] = is_suspect_[s_.mesh.opposite(h)] = 1;
+  }
+
+  // Of an edge beside a crease: 0 where it is a crease beyond doubt.
+  double turn_beside(Index h) const
+  {
+    return s_.mesh.curve(h) >= 0 && !is_suspect_[h] ? 0. : turn_across(s_, h);
+  }
+
   // By the means over its length of its own turn and of the larger one of both sides.
   bool stands_out_from_sides(const std::vector<Index>& branch) const
   {
@@ -98,8 +115,7 @@ private:
     for(const Index h : branch) {
       const double l = distance(s_.mesh.point(s_.mesh.origin(h)), s_.mesh.point(s_.mesh.target(h)));
       own += l * turn_across(s_, h);
-      beside +=
-          l * (std::max)(turn_across(s_, across(h)), turn_across(s_, across(s_.mesh.opposite(h))));
+      beside += l * (std::max)(turn_beside(across(h)), turn_beside(across(s_.mesh.opposite(h))));
     }
     return own >= stands_out * beside;
   }
@@ -116,6 +132,7 @@ private:
   Adaptation_state& s_;
   const std::vector<char>& detected_;
   std::vector<std::vector<Index>> edges_at_; // feature edges, one half-edge of each
+  std::vector<char> is_suspect_;             // half-edges of creases with a free end
 };
 
 } // namespace internal
