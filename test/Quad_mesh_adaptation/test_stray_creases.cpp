@@ -39,6 +39,16 @@ Shape round_roof()
   return roof([&](Index d) { return heights[d]; });
 }
 
+// Down a steep wall one face high, whose lower crease fades into a slope; the upper one does not.
+Shape step()
+{
+  return shape_zoo::grid("step", n, n, [](Index i, Index j) {
+    const double fade = std::clamp((j - 5.) / 4, 0., 1.), down = std::max(i - 6, 0);
+    if(i < 6) return Vec(i, 2 * j, 0);
+    return Vec(5.2 + down * (1 - 0.8 * fade), 2 * j, -2 - 2 * fade * down);
+  });
+}
+
 Options at(double degrees)
 {
   Options o;
@@ -89,6 +99,14 @@ TEST(Stray_creases, ACoarseRoundIsNone)
   const Adaptation_state s = make_state(round_roof(), at(40));
   ASSERT_GE(edges_turning(s, 40), 3u) << "else this shows nothing";
   EXPECT_EQ(inner_feature_edges(s), 0u);
+}
+
+// The upper crease makes the lower one no less of a crease.
+TEST(Stray_creases, BothOfAStepStay)
+{
+  const Adaptation_state s = make_state(step(), at(50));
+  EXPECT_GE(inner_feature_edges(s), std::size_t(n) + 5);
+  EXPECT_EQ(inner_feature_edges(s), edges_turning(s, 50));
 }
 
 TEST(Stray_creases, MarkedOnesStay)
