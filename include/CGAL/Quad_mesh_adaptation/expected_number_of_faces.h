@@ -22,10 +22,10 @@ predicts how many faces `adapt_quad_mesh(sizing, mesh, np)` will leave, without 
 The number follows from the integral of 1/h^2 over the surface, the curves that must be kept, the
 growth of the size and the aim; a mesh that has the sizes already keeps its faces, and one whose
 faces only have to be halved alike keeps its pattern.  On sizes that the factors were not fitted to,
-the outcome of the default schedule is within 10 % in 361 of 413 cases of a hundred faces or more and
-within 15 % in 393, coarsening included.  It is off further where fewer faces come out and single
-rows of them count, and where curves close to each other hold faces that the size does not ask for.  The paper's schedule
-leaves about twice as many.
+the outcome of the default schedule is within 10 % in 361 of 413 cases of a hundred faces or more
+and within 15 % in 393, coarsening included.  It is off further where fewer faces come out and
+single rows of them count, and where curves close to each other hold faces that the size does not
+ask for.  The paper's schedule leaves about twice as many.
 
 \param sizing a number, or a callable `FT operator()(const Point_3&) const`, as for
   `adapt_quad_mesh()`.
