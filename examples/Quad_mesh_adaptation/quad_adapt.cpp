@@ -7,7 +7,7 @@
 #include "quad_adapt/Options.h"
 #include "quad_adapt/Progress.h"
 #include "quad_adapt/Sizes.h"
-#include "quad_adapt/Thread_limit.h"
+#include "quad_adapt/adapt.h"
 #include "support/face_fields.h"
 #include "support/print_report.h"
 #include "support/report_json.h"
@@ -15,16 +15,15 @@
 #include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/IO/write_picture.h>
 #include <CGAL/Quad_mesh_adaptation/IO/write_quad_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
 
 #include <cstdlib>
 #include <exception>
-#include <functional>
 #include <iostream>
-#include <limits>
 #include <string>
+#include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
+
 // 0, or the exit code after having said why.
 int read_inputs(const Options& options, Mesh& mesh, Mesh& reference)
 {
@@ -47,33 +46,6 @@ int probe_outputs(const Options& options)
     if(!result.ok()) return refuse(result.message);
   }
   return 0;
-}
-
-template <class Parameters>
-QMA::Adaptation_report adapt(const Options& options, const Size_function& size, Mesh& mesh,
-                             const Mesh& reference, const Parameters& more)
-{
-  const auto schedule =
-      options.schedule == "paper" ? QMA::Schedule::paper : QMA::Schedule::progressive;
-  const double far = options.max_distance.value_or(std::numeric_limits<double>::infinity());
-  const auto threads = QMA::concurrency(CGAL::Parallel_if_available_tag(), more);
-  const auto geometry = QMA::smooth_reference(options.is_smooth, QMA::max_distance(far, threads));
-  const auto parameters =
-      QMA::schedule(schedule, QMA::feature_angle(options.feature_angle, geometry));
-  if(options.reference.empty()) return QMA::adapt_quad_mesh(size, mesh, parameters);
-  return QMA::adapt_quad_mesh(size, mesh, QMA::reference_surface(reference, parameters));
-}
-
-QMA::Adaptation_report adapt(const Options& options, const Size_function& size, Mesh& mesh,
-                             const Mesh& reference)
-{
-  const Thread_limit threads(options.threads);
-  Progress progress(options.is_quiet);
-  const std::function<bool(double)> callback = [&](double done) { return progress.advance(done); };
-  const auto parameters = CGAL::parameters::visitor(std::ref(progress)).callback(callback);
-  if(options.max_iterations == 0) return adapt(options, size, mesh, reference, parameters);
-  return adapt(options, size, mesh, reference,
-               parameters.number_of_iterations(options.max_iterations));
 }
 
 // All files or none.
@@ -103,10 +75,13 @@ int run(const Options& options)
   if(exit_code != 0) return exit_code;
   add_sizes_of_surface(options, options.reference.empty() ? mesh : reference, size);
   if(options.gradation) limit_growth(options, mesh, size);
+  std::vector<Mesh::Face_index> region;
+  exit_code = choose_region(options, mesh, region);
+  if(exit_code != 0) return exit_code;
 
   const Mesh initial = options.picture.empty() ? Mesh() : mesh;
   catch_interrupts();
-  const QMA::Adaptation_report report = adapt(options, size, mesh, reference);
+  const QMA::Adaptation_report report = adapt(options, size, mesh, reference, region);
   if(report.status == QMA::Adaptation_status::cancelled)
     return refuse("interrupted, nothing was written", exit_interrupted);
   if(!report.has_valid_mesh()) return refuse(options.input + ": " + report.message);

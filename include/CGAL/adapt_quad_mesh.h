@@ -37,8 +37,8 @@ Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const Sizi
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const std::size_t iterations =
-      choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
+  const std::size_t iterations = choose_parameter(
+      get_parameter(np, internal_np::number_of_iterations), default_number_of_iterations);
   const bool paper = is_paper_schedule(np);
   return run_on_mesh(
       faces, is_region, sizing, mesh, np, paper,
@@ -77,11 +77,13 @@ Roundtable, 2009), section 3.3, runs step by step.
   - `face_patch_map(fpm)`, a model of `ReadWritePropertyMap` with any comparable value: edges
     between different patches are feature curves, too, and new faces get the patch of those they
     replace;
-  - `number_of_iterations(n)`: the most passes of refinement; default 40;
+  - `number_of_iterations(n)`: the most passes of refinement; default
+    `default_number_of_iterations`;
   - `visitor(v)`, see `Adaptation_visitor`; `callback(f)`: `bool f(double)` is told the progress
     from 0 to 1 and cancels by returning `false`;
-  - `schedule()`, `aim()`, `symmetry()`, `feature_angle()`, `reference_surface()`,
-    `smooth_reference()`, `projector()`, `curve_projector()`, `max_distance()`: see parameters.h.
+  - `schedule()`, `aim()`, `symmetry()`, `feature_angle()`, `edge_is_frozen_map()`,
+    `reference_surface()`, `smooth_reference()`, `projector()`, `curve_projector()`,
+    `max_distance()`, `concurrency()`: see parameters.h.
 
 \returns a report; see `Adaptation_status` for how the call ended.  Faces, edges and vertices that
   did not have to change keep their descriptors; removed ones are marked as such in a

@@ -136,6 +136,23 @@ expect 0 '' bent.off bent_48.off --curvature 48 --max-size 1 --gradation 0.3 --q
 expect 0 '' bent.off chord.off --chord-error 0.01 --max-size 1 --quiet
 [ "$(faces chord.off)" -gt 32 ] || fail "--chord-error has no effect"
 expect 0 '' bent.off across.off --proximity 3 --max-size 0.7 --quiet
+# only a region, or all but the border
+centres() { awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2 { x[NR - 3] = $1 }
+  NF == 5 { print (x[$2] + x[$3] + x[$4] + x[$5]) / 4 }' "$1"; }
+expect 3 'larger than asked' plate.off part.off --size 0.5 --region 'x < 2'
+[ "$(centres part.off | awk '$1 > 2' | wc -l)" -eq 8 ] || fail "--region changed faces outside"
+[ "$(centres part.off | awk '$1 < 2' | wc -l)" -gt 16 ] || fail "--region changed nothing inside"
+expect 1 'no face' plate.off part.off --size 0.5 --region 'x < -2'
+expect 1 'region' plate.off part.off --size 0.5 --region 'x <'
+grid 12 >twelve.off
+expect 0 '' twelve.off kept.off --size 3 --keep-border --quiet
+awk 'NF == 3 && ($1 == 0 || $1 == 12 || $2 == 0 || $2 == 12)' twelve.off | sort >border_before
+awk 'NR > 2 && NF == 3 && ($1 == 0 || $1 == 12 || $2 == 0 || $2 == 12)' kept.off | sort >border_after
+cmp border_before border_after || fail "--keep-border did not keep the border"
+[ "$(faces kept.off)" -lt 110 ] || fail "--keep-border kept the inside, too"
+expect 0 '' twelve.off near.off --size 1.06 --aim nearest --quiet
+expect 0 '' twelve.off below.off --size 1.06 --no-symmetry --quiet
+[ "$(faces near.off)" -lt "$(faces below.off)" ] || fail "--aim nearest made no fewer faces"
 # a size that grows too fast is said
 expect 0 '' plate.off steep.off --size-function '0.1 + abs(hypot(x, y) - 3)' --report report.json
 grep -q 'Note: the size grows' .out || fail "a steep size is not told"
@@ -232,6 +249,8 @@ for number in 0 -1 nan inf many; do
 done
 expect 2 'curvature' plate.off out.off --curvature 2
 expect 2 'excludes' plate.off out.off --curvature 12 --chord-error 0.1
+expect 2 'aim' plate.off out.off --size 1 --aim low
+expect 2 'aim' plate.off out.off --size 1 --aim nearest --schedule paper
 expect 2 'larger than' plate.off out.off --size 1 --min-size 2 --max-size 1
 expect 2 'twice' plate.off wanted.ply --background wanted.ply
 expect 2 'size' plate.off out.off --max-size 1

@@ -33,12 +33,14 @@ struct Options
   std::optional<double> smallest_size, largest_size;
   std::optional<double> gradation; // largest slope of the size
   std::string reference, report, picture;
-  std::string schedule = "default";
+  std::string schedule = "default", aim = "not-larger";
+  std::optional<std::string> region; // expression that is not zero where faces may change
+  bool is_border_frozen = false, may_lose_symmetry = false;
   double feature_angle = CGAL::Quad_mesh_adaptation::default_feature_angle;
   bool is_smooth = false;
   std::optional<double> max_distance;
-  unsigned max_iterations = 0; // 0: the library's own limit
-  unsigned threads = 0;        // 0: as many as there are
+  std::size_t max_iterations = CGAL::Quad_mesh_adaptation::default_number_of_iterations;
+  unsigned threads = 0; // 0: as many as there are
   bool is_quiet = false;
 };
 
@@ -78,6 +80,8 @@ inline void check_options(const Options& options)
                                              options.output);
   if(options.gradation && std::isnan(*options.gradation))
     throw CLI::ValidationError("--gradation", "must be a number, not nan");
+  if(options.aim == "nearest" && options.schedule == "paper")
+    throw CLI::ValidationError("--aim", "nearest is for the default schedule only");
   if(!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".svg")
     throw CLI::ValidationError("--picture", "must end in .svg, not be " + options.picture);
   if(options.smallest_size.value_or(0) >
@@ -135,13 +139,8 @@ inline void describe_sizes(CLI::App& app, Options& options)
       ->check(CLI::Range(0., 1e6));
 }
 
-inline void describe_options(CLI::App& app, Options& options)
+inline void describe_surface(CLI::App& app, Options& options)
 {
-  app.add_option("INPUT", options.input, "Quad mesh to adapt (.off, .obj, .ply)")->required();
-  app.add_option("OUTPUT", options.output,
-                 "Where to write the adapted mesh (.off, .obj, .ply, .vtk, .vtu)")
-      ->required();
-  describe_sizes(app, options);
   app.add_option("--reference", options.reference,
                  "Finer surface to stay on; its border and creases are the curves [INPUT]")
       ->type_name("SURFACE");
@@ -156,19 +155,47 @@ inline void describe_options(CLI::App& app, Options& options)
       ->type_name("DEG")
       ->check(CLI::Range(0., 180.))
       ->capture_default_str();
-  app.add_option("--schedule", options.schedule, "Order and aim of the phases")
+  app.add_option("--region", options.region,
+                 "Change only faces at whose centre this expression in x, y, z is not zero, like\n"
+                 "\"x < 2 && z > 0\"; edges between them and the others stay [all faces]")
+      ->type_name("EXPR");
+  app.add_flag("--keep-border", options.is_border_frozen,
+               "Leave the edges of the border as they are, so that other meshes still fit");
+}
+
+inline void describe_course(CLI::App& app, Options& options)
+{
+  app.add_option("--schedule", options.schedule, "Order of the phases")
       ->type_name("paper|default")
       ->check(CLI::IsMember({ "paper", "default" }))
       ->capture_default_str();
+  app.add_option("--aim", options.aim,
+                 "No face larger than asked, or all as near as possible to their size")
+      ->type_name("not-larger|nearest")
+      ->check(CLI::IsMember({ "not-larger", "nearest" }))
+      ->capture_default_str();
+  app.add_flag("--no-symmetry", options.may_lose_symmetry, "Do not keep mirror symmetry");
   app.add_option("--max-iterations", options.max_iterations, "Passes at most")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000000));
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
 #ifdef CGAL_LINKED_WITH_TBB
   app.add_option("--threads", options.threads,
                  "Threads to work with [all]; the result does not depend on them")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
 #endif
+}
+
+inline void describe_options(CLI::App& app, Options& options)
+{
+  app.add_option("INPUT", options.input, "Quad mesh to adapt (.off, .obj, .ply)")->required();
+  app.add_option("OUTPUT", options.output,
+                 "Where to write the adapted mesh (.off, .obj, .ply, .vtk, .vtu)")
+      ->required();
+  describe_sizes(app, options);
+  describe_surface(app, options);
+  describe_course(app, options);
   app.add_option("--report", options.report, "Write what was done and measured, as JSON")
       ->type_name("FILE.json");
   app.add_option("--picture", options.picture,
@@ -184,6 +211,7 @@ inline void describe_options(CLI::App& app, Options& options)
       "  quad_adapt plate.off graded.vtk --size-function \"x < 2 ? 0.1 : 5\" --gradation 0.25\n"
       "  quad_adapt cow.off round.off --curvature 24 --max-size 0.1 --gradation 0.3\n"
       "  quad_adapt part.off part.off --background wanted.ply --max-size 3\n"
+      "  quad_adapt dam.off finer.off --size 0.5 --region \"hypot(x - 3, y) < 2\"\n"
       "  quad_adapt part.obj coarse.obj --size 2.5 --reference part_fine.ply --picture part.svg\n"
       "Exit codes:\n"
       "  0    the mesh was written, all sizes are met\n"

@@ -52,6 +52,7 @@ double expected_number_of_faces(const SizingField& sizing, const QuadMesh& mesh,
                                    get_const_property_map(CGAL::vertex_point, mesh));
   const auto ecm = Decoded::edge_map(np);
   const auto vcm = Decoded::vertex_map(np);
+  const auto efm = Decoded::frozen_map(np);
   using Vpm = std::decay_t<decltype(vpm)>;
   const double scale = scale_of(decode_aim(np));
   try {
@@ -60,8 +61,9 @@ double expected_number_of_faces(const SizingField& sizing, const QuadMesh& mesh,
     s.size.scale_by(scale);
     Input_mesh in;
     Mesh_descriptors<QuadMesh> descriptors;
-    Mesh_import<QuadMesh, Vpm, std::decay_t<decltype(ecm)>, std::decay_t<decltype(vcm)>> import(
-        mesh, vpm, ecm, vcm);
+    Mesh_import<QuadMesh, Vpm, std::decay_t<decltype(ecm)>, std::decay_t<decltype(vcm)>,
+                std::decay_t<decltype(efm)>>
+        import(mesh, vpm, ecm, vcm, efm);
     import(faces(mesh), false, in, descriptors);
     const std::optional<Triangle_soup> reference = decode_reference(np);
     Geometry_options geometry; // lifts to a smooth or true surface hardly change the count

@@ -7,6 +7,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
+#include <cstddef>
 #include <functional>
 #include <type_traits>
 
@@ -72,6 +73,10 @@ enum max_distance_t
 {
   max_distance_tag
 };
+enum edge_is_frozen_t
+{
+  edge_is_frozen_tag
+};
 
 /// Which schedule to run; default `Schedule::progressive`.
 inline Named_function_parameters<Schedule, schedule_t> schedule(Schedule s)
@@ -95,6 +100,9 @@ Named_function_parameters<Aim, aim_t, NP> aim(Aim a, const NP& np)
 {
   return Named_function_parameters<Aim, aim_t, NP>(a, np);
 }
+
+/// Passes of refinement at most, unless `number_of_iterations()` says otherwise.
+constexpr std::size_t default_number_of_iterations = 40;
 
 /// Degrees, see `feature_angle()`.
 constexpr double default_feature_angle = 50;
@@ -197,6 +205,23 @@ template <typename NP>
 Named_function_parameters<double, max_distance_t, NP> max_distance(double d, const NP& np)
 {
   return Named_function_parameters<double, max_distance_t, NP>(d, np);
+}
+
+/// Edges that stay as they are, with both their ends: neither moved, nor split, nor merged with
+/// others, also on the border.  A model of `ReadablePropertyMap` with the `edge_descriptor` as key
+/// and `bool` as value.  Faces beside edges longer than asked stay too large, which the report
+/// says. Default: none.
+template <typename EdgeFrozenMap>
+Named_function_parameters<EdgeFrozenMap, edge_is_frozen_t>
+edge_is_frozen_map(const EdgeFrozenMap& efm)
+{
+  return Named_function_parameters<EdgeFrozenMap, edge_is_frozen_t>(efm);
+}
+template <typename EdgeFrozenMap, typename NP>
+Named_function_parameters<EdgeFrozenMap, edge_is_frozen_t, NP>
+edge_is_frozen_map(const EdgeFrozenMap& efm, const NP& np)
+{
+  return Named_function_parameters<EdgeFrozenMap, edge_is_frozen_t, NP>(efm, np);
 }
 
 /// `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` to work with the threads of TBB; the

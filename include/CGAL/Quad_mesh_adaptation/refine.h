@@ -31,8 +31,9 @@ template <typename SizingField, typename QuadMesh,
 Adaptation_report refine(const SizingField& sizing, QuadMesh& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
-  const std::size_t passes = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(40));
+  const std::size_t passes =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations),
+                                   default_number_of_iterations);
   return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, false,
                                [&](internal::Adaptation_state& s, Adaptation_report&) {
                                  internal::refine_by_octaves(s, internal::Marking_options(),

@@ -20,7 +20,7 @@ struct Input_mesh
   std::vector<Vec> points;
   std::vector<Quad> quads;
   std::vector<char> is_constrained; // per half-edge 4 f + i: a feature curve runs here
-  std::vector<char> is_frozen;      // per half-edge: border of the region, must not change at all
+  std::vector<char> is_frozen;      // per half-edge: must not change at all
   std::vector<char> is_frozen_vertex;
   std::vector<Index> patch; // per quad, numbers of the caller's patches; empty: all the same
 

@@ -84,6 +84,11 @@ struct Decoded_parameters
         parameters::get_parameter(np, internal_np::vertex_is_constrained),
         No_constraints<Vertex>());
   }
+  static auto frozen_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, edge_is_frozen_tag),
+                                        No_constraints<Edge>());
+  }
   static auto patch_map(const NamedParameters& np)
   {
     return parameters::choose_parameter(parameters::get_parameter(np, internal_np::face_patch),

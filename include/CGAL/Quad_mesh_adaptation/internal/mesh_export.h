@@ -221,7 +221,9 @@ private:
 
   bool is_true_border(Index h) const
   {
-    return m_.is_face(m_.face(h)) && m_.is_border(h) && !s_.curves[m_.curve(h)].is_frozen();
+    if(!m_.is_face(m_.face(h)) || !m_.is_border(h)) return false;
+    return !s_.curves[m_.curve(h)].is_frozen() ||
+           is_border(opposite(halfedge_of_[h], mesh_), mesh_); // else a face outside the region
   }
 
   void remove_old_edges_and_vertices()

@@ -42,6 +42,8 @@ Vec to_vec(const Point& p)
 // iteration over the mesh.
 template <typename QuadMesh, typename VertexPointMap, typename EdgeConstrainedMap,
           typename VertexConstrainedMap,
+          typename EdgeFrozenMap =
+              No_constraints<typename boost::graph_traits<QuadMesh>::edge_descriptor>,
           typename FacePatchMap =
               One_patch<typename boost::graph_traits<QuadMesh>::face_descriptor>>
 class Mesh_import
@@ -55,8 +57,9 @@ public:
   using Patch = typename boost::property_traits<FacePatchMap>::value_type;
 
   Mesh_import(const QuadMesh& mesh, VertexPointMap vpm, EdgeConstrainedMap ecm,
-              VertexConstrainedMap vcm, FacePatchMap fpm = FacePatchMap())
-      : mesh_(mesh), vpm_(vpm), ecm_(ecm), vcm_(vcm), fpm_(fpm)
+              VertexConstrainedMap vcm, EdgeFrozenMap efm = EdgeFrozenMap(),
+              FacePatchMap fpm = FacePatchMap())
+      : mesh_(mesh), vpm_(vpm), ecm_(ecm), vcm_(vcm), efm_(efm), fpm_(fpm)
   {
   }
 
@@ -106,7 +109,7 @@ private:
     halfedge_descriptor h = h0;
     for(int i = 0; i < 4; ++i, h = next(h, mesh_)) {
       q[i] = is_region ? number_in_region(h, in, out) : number(source(h, mesh_), in, out);
-      const bool frozen = is_region && leaves_region(h);
+      const bool frozen = (is_region && leaves_region(h)) || get(efm_, edge(h, mesh_));
       in.is_frozen.push_back(frozen);
       in.is_constrained.push_back(get(ecm_, edge(h, mesh_)) || frozen);
     }
@@ -205,6 +208,7 @@ private:
   VertexPointMap vpm_;
   EdgeConstrainedMap ecm_;
   VertexConstrainedMap vcm_;
+  EdgeFrozenMap efm_;
   FacePatchMap fpm_;
   Patch_numbers<Patch> patch_numbers_;
   typename boost::property_map<QuadMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type

@@ -114,6 +114,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
   auto vpm = Decoded::vertex_point_map(mesh, np);
   auto ecm = Decoded::edge_map(np);
   auto vcm = Decoded::vertex_map(np);
+  auto efm = Decoded::frozen_map(np);
   auto fpm = Decoded::patch_map(np);
   Mesh_descriptors<QuadMesh> descriptors;
   try {
@@ -124,8 +125,8 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     s.workers.use_threads(decode_concurrency(np));
     Distance_bound bound(s, decode_max_distance(np));
     Input_mesh in;
-    Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm)> import(
-        mesh, vpm, ecm, vcm, fpm);
+    Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm), decltype(efm), decltype(fpm)>
+        import(mesh, vpm, ecm, vcm, efm, fpm);
     import(faces, is_region, in, descriptors);
     const std::optional<Triangle_soup> reference = decode_reference(np);
     const Feature_options features = decode_features(np);

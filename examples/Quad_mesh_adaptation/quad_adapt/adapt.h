@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUAD_ADAPT_ADAPT_H
+#define QUAD_ADAPT_ADAPT_H
+
+#include "Options.h"
+#include "Progress.h"
+#include "Size_expression.h"
+#include "Sizes.h"
+#include "Thread_limit.h"
+
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// The faces that may change; none where no region is asked for.  0, or the exit code after having
+/// said why.
+inline int choose_region(const Options& options, const Mesh& mesh,
+                         std::vector<Mesh::Face_index>& region)
+{
+  if(!options.region) return 0;
+  Size_expression inside;
+  std::string message;
+  if(!inside.parse(*options.region, message)) return refuse("--region: " + message);
+  for(Mesh::Face_index f : mesh.faces()) {
+    double x = 0, y = 0, z = 0;
+    for(Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(f), mesh)) {
+      const Point& p = mesh.point(v);
+      x += p.x() / 4, y += p.y() / 4, z += p.z() / 4;
+    }
+    const double value = inside(Point(x, y, z));
+    if(value != 0 && !std::isnan(value)) region.push_back(f);
+  }
+  return region.empty() ? refuse("--region: no face has its centre there") : 0;
+}
+
+/// One call of the library from here on: no region means all faces.
+template <class Parameters>
+QMA::Adaptation_report adapt(const std::vector<Mesh::Face_index>& region, const Size_function& size,
+                             Mesh& mesh, const Parameters& parameters)
+{
+  return region.empty() ? QMA::adapt_quad_mesh(size, mesh, parameters)
+                        : QMA::adapt_quad_mesh(region, size, mesh, parameters);
+}
+
+inline QMA::Adaptation_report adapt(const Options& options, const Size_function& size, Mesh& mesh,
+                                    const Mesh& reference,
+                                    const std::vector<Mesh::Face_index>& region)
+{
+  const Thread_limit threads(options.threads);
+  Progress progress(options.is_quiet);
+  const std::function<bool(double)> callback = [&](double done) { return progress.advance(done); };
+  const auto is_frozen = [&](Mesh::Edge_index e) {
+    return options.is_border_frozen && mesh.is_border(e);
+  };
+  const auto course = CGAL::parameters::visitor(std::ref(progress))
+                          .callback(callback)
+                          .number_of_iterations(options.max_iterations);
+  const auto constraints = QMA::edge_is_frozen_map(
+      boost::make_function_property_map<Mesh::Edge_index>(is_frozen),
+      QMA::feature_angle(options.feature_angle,
+                         QMA::concurrency(CGAL::Parallel_if_available_tag(), course)));
+  const auto geometry = QMA::smooth_reference(
+      options.is_smooth,
+      QMA::max_distance(options.max_distance.value_or(std::numeric_limits<double>::infinity()),
+                        constraints));
+  const bool is_paper = options.schedule == "paper", is_nearest = options.aim == "nearest";
+  const auto parameters =
+      QMA::schedule(is_paper ? QMA::Schedule::paper : QMA::Schedule::progressive,
+                    QMA::aim(is_nearest ? QMA::Aim::nearest : QMA::Aim::not_larger,
+                             QMA::symmetry(!options.may_lose_symmetry, geometry)));
+  if(options.reference.empty()) return adapt(region, size, mesh, parameters);
+  return adapt(region, size, mesh, QMA::reference_surface(reference, parameters));
+}
+
+#endif // QUAD_ADAPT_ADAPT_H
