@@ -101,6 +101,14 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
   s.smoothing.hinge = hinge;
 }
 
+// Takes whole rows out that the sizes can do without.
+inline std::size_t spare_rows(Adaptation_state& s)
+{
+  if(!may_spare_rows(s)) return 0;
+  Phase_scope phase(s, "coarsening");
+  return coarsen_by_chords(s, 0.5);
+}
+
 // From any mesh to one that has the sizes of now nearly everywhere.
 inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean,
                            std::size_t max_passes, const Schedule_ingredients& use)
@@ -114,10 +122,7 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
   s.progress = 0.3;
   refine_progressively(s, clean, max_passes, use);
   // where halving has gone too far by the same everywhere, single rows can go again
-  if(use.coarsening && is_too_fine(s)) {
-    Phase_scope phase(s, "coarsening");
-    coarsen_by_chords(s, 0.5);
-  }
+  if(use.coarsening) spare_rows(s);
   s.progress = 0.5;
   if(use.local_operations && use.annealing) anneal(s, clean, 2.5, 10);
   if(use.local_operations) polish(s, clean, 5, 2);
@@ -258,8 +263,10 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
                                  const Schedule_ingredients& use = {})
 {
   s.prepare_coverage();
-  if(is_adapted(s)) return;
+  const bool adapted = is_adapted(s);
+  if(adapted && !(use.coarsening && may_spare_rows(s))) return;
   Good_mesh_keeper input(s);
+  if(adapted && spare_rows(s) == 0) return;
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   if(use.last_resorts)

@@ -38,6 +38,9 @@ inline double mean_square_ratio(const Adaptation_state& s)
   return sum / double(s.mesh.number_of_faces());
 }
 
+// May whole rows be too many, although no face is far too small?
+inline bool may_spare_rows(const Adaptation_state& s) { return mean_square_ratio(s) < 0.88; }
+
 // Are there clearly more faces than the sizes ask for, everywhere a few or many in some place?
 inline bool is_too_fine(const Adaptation_state& s)
 {
