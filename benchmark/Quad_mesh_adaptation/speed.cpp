@@ -62,7 +62,7 @@ std::vector<Task> all_tasks(const std::vector<Shape>& shapes, int highest,
     for(int level = 3; level <= (std::min)(highest, 5); ++level)
       tasks.push_back(gmsh_task(shapes.front(), level, scratch));
   else
-    std::cout << "gmsh is not on the PATH: left out\n";
+    std::cerr << "gmsh is not on the PATH: left out\n";
   return tasks;
 }
 

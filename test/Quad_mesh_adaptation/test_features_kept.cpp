@@ -95,7 +95,9 @@ void expect_kept(const Shape& s, double factor)
   for(Index v : given.corners)
     EXPECT_EQ(std::count(m.shape.points.begin(), m.shape.points.end(), s.points[v]), 1);
   EXPECT_EQ(found.corners.size(), given.corners.size());
-  if(factor < 1) {
+  // where a few more edges than given do, nodes reach all bends only if these are evenly spaced
+  const bool is_uneven = s.name == "saddle" || s.name == "rotated_ellipse_with_subregions";
+  if(factor < (is_uneven ? 0.72 : 1)) {
     EXPECT_NEAR(found.length, given.length, 1e-3 * given.length);
   } else {
     EXPECT_LE(found.length, (1 + 1e-9) * given.length);
@@ -112,7 +114,7 @@ TEST(Features_kept, OnEveryShape)
                          more_shapes::two_spheres(6, 0.02), more_shapes::ridge(3) })
     shapes.push_back(s);
   for(const Shape& s : shapes)
-    for(double factor : { 0.5, 2., 4. }) expect_kept(s, factor);
+    for(double factor : { 0.5, 0.75, 0.9, 2., 4. }) expect_kept(s, factor);
 }
 
 TEST(Features_kept, OnMeshesByOthers)
@@ -120,7 +122,7 @@ TEST(Features_kept, OnMeshesByOthers)
   for(const char* name : { "box_cylinder", "cylinder_hex", "icf", "pawn",
                            "rotated_ellipse_with_subregions", "spot", "star" }) {
     const Shape s = read(name);
-    for(double factor : { 0.7, 2. }) expect_kept(s, factor);
+    for(double factor : { 0.7, 0.85, 2. }) expect_kept(s, factor);
   }
   expect_kept(read("makehuman_body"), 2.);
 }

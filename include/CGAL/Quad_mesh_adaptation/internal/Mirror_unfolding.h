@@ -26,13 +26,18 @@ namespace internal {
 class Mirror_unfolding
 {
 public:
-  // `whole` is the state of the input, not adapted, `part` the adapted state of the part.
+  // `whole` is the state of the input, not adapted, `part` the adapted state of the part, which is
+  // not needed any more after this.
   Mirror_unfolding(const Input_mesh& in, const Adaptation_state& whole,
                    const Adaptation_state& part, const Mirror_part& origin, Mirror_part::Cut cut,
                    const std::vector<Mirror_plane>& planes)
       : in_(in), whole_(whole), planes_(planes), curves_(part.curves), cut_(std::move(cut))
   {
     const Quad_complex& m = part.mesh;
+    std::size_t live = 0;
+    for(Index v = 0; v < m.vertex_end(); ++v) live += m.is_vertex(v);
+    vertices_.reserve(std::size_t(m.vertex_end()) + (live << planes.size()) - live);
+    faces_.reserve(std::size_t(m.number_of_faces()) << planes.size());
     for(Index v = 0; v < m.vertex_end(); ++v) vertices_.push_back(m.vertex(v));
     for(Vertex_record& r : vertices_) // the first triangle of its face in the whole
       if(r.hint >= 0 && std::size_t(r.hint / 2) < origin.face.size())
@@ -234,27 +239,30 @@ private:
   // Faces of the input in their places, new ones behind.
   int link()
   {
+    mesh_.reserve(vertices_.size(), 0);
     for(Vertex_record& v : vertices_) {
       v.halfedge = 0;
       mesh_.add_vertex(v);
     }
+    std::vector<Vertex_record>().swap(vertices_); // not twice for longer than needed
     mesh_.protect_vertices_below(Index(in_.points.size()));
-    std::vector<const Face*> in_place(in_.quads.size(), nullptr), behind;
+    std::vector<const Face*> placed(in_.quads.size(), nullptr);
     for(const Face& f : faces_) {
       if(f.slot >= 0)
-        in_place[f.slot] = &f;
+        placed[f.slot] = &f;
       else
-        behind.push_back(&f);
+        placed.push_back(&f);
     }
-    behind.insert(behind.begin(), in_place.begin(), in_place.end());
-    for(const Face* f : behind) mesh_.add_face(f ? f->v : faces_[0].v, f ? f->patch : 0);
-    for(std::size_t f = 0; f < behind.size(); ++f)
-      if(!behind[f]) mesh_.remove_face(Index(f));
+    mesh_.reserve(0, placed.size());
+    for(const Face* f : placed) mesh_.add_face(f ? f->v : faces_[0].v, f ? f->patch : 0);
+    for(std::size_t f = 0; f < placed.size(); ++f)
+      if(!placed[f]) mesh_.remove_face(Index(f));
     Index bad = -1;
     if(!mesh_.link(&bad)) return plane_of(mesh_.origin(bad), mesh_.target(bad));
-    for(std::size_t f = 0; f < behind.size(); ++f)
-      for(int k = 0; behind[f] && k < 4; ++k)
-        if(behind[f]->curve[k] >= 0) mesh_.set_curve(Index(4 * f) + k, behind[f]->curve[k]);
+    for(std::size_t f = 0; f < placed.size(); ++f)
+      for(int k = 0; placed[f] && k < 4; ++k)
+        if(placed[f]->curve[k] >= 0) mesh_.set_curve(Index(4 * f) + k, placed[f]->curve[k]);
+    std::vector<Face>().swap(faces_);
     const int blamed = find_bad_vertex();
     if(blamed < 0) place_on_surface();
     return blamed;

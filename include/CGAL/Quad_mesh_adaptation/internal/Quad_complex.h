@@ -124,6 +124,15 @@ public:
   void protect_vertices_below(Index v) { first_reusable_ = v; }
 
   // --- building
+  void reserve(std::size_t vertices, std::size_t faces)
+  {
+    vertices_.reserve(vertices);
+    origin_.reserve(4 * faces);
+    opposite_.reserve(4 * faces);
+    curve_.reserve(4 * faces);
+    patch_.reserve(faces);
+  }
+
   Index add_vertex(const Vertex_record& r)
   {
     if(!free_vertices_.empty()) {

@@ -53,32 +53,76 @@ inline void set_images(const Mirror_part::Cut& cut, const Input_mesh& in,
   }
 }
 
-// An adapted mesh, to be compared with others.
-struct Adapted_mesh
+// What adaptation changes of a state, to be compared with other outcomes.
+struct Outcome
 {
-  Adaptation_state state;
+  Quad_complex mesh;
+  std::vector<Feature_curve> curves;
+  std::vector<Index> given_patch, reference_patch;
+  std::vector<std::pair<const char*, std::size_t>> operations;
+  std::size_t iterations = 0;
   std::size_t faults = 0; // faces too large, but for those held by edges that must not change, and
                           // crowded nodes
+
+  // Takes the place of what the state has, which is here then.
+  void exchange(Adaptation_state& s)
+  {
+    std::swap(mesh, s.mesh);
+    std::swap(curves, s.curves);
+    std::swap(given_patch, s.given_patch);
+    std::swap(reference_patch, s.reference_patch);
+    std::swap(operations, s.operations);
+    std::swap(iterations, s.iterations);
+    s.forget_faces();
+    s.disturb_all();
+  }
 };
 
-inline Adapted_mesh judged(Adaptation_state&& s, double limit)
+inline std::size_t count_faults(const Adaptation_state& s, double limit)
 {
-  Adapted_mesh a{ std::move(s), 0 };
-  for(Index f = 0; f < a.state.mesh.face_end(); ++f)
-    if(a.state.mesh.is_face(f) && a.state.size_ratio(f) * a.state.size.scale() > limit &&
-       !is_beyond_help(a.state, f))
-      ++a.faults;
-  for(Index v = 0; v < a.state.mesh.vertex_end(); ++v)
-    if(a.state.mesh.is_vertex(v) && is_crowded(a.state, v)) ++a.faults;
-  return a;
+  std::size_t faults = 0;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && s.size_ratio(f) * s.size.scale() > limit && !is_beyond_help(s, f))
+      ++faults;
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    if(s.mesh.is_vertex(v) && is_crowded(s, v)) ++faults;
+  return faults;
+}
+
+// Adds an outcome to those that are done.
+inline void keep(Outcome&& o, double limit, Adaptation_state& whole, std::vector<Outcome>& done)
+{
+  o.exchange(whole);
+  const std::size_t faults = count_faults(whole, limit);
+  o.exchange(whole);
+  done.push_back(std::move(o));
+  done.back().faults = faults;
+}
+
+// The same algorithm on all of the input.
+template <typename Algorithm>
+void adapt_whole(double limit, const Algorithm& algorithm, Adaptation_state& whole,
+                 std::vector<Outcome>& done)
+{
+  Outcome o{ whole.mesh,
+             whole.curves,
+             whole.given_patch,
+             whole.reference_patch,
+             whole.operations,
+             whole.iterations,
+             0 };
+  o.exchange(whole);
+  algorithm(whole);
+  o.exchange(whole);
+  keep(std::move(o), limit, whole, done);
 }
 
 // Adapts one part and completes the whole by its images.  -1 after success, else the plane to blame
 // if they do not make a valid mesh of the same sizes.
 template <typename Build, typename Algorithm>
 int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, double limit,
-               const Build& build, const Algorithm& algorithm, const Adaptation_state& whole,
-               std::vector<Adapted_mesh>& done)
+               const Build& build, const Algorithm& algorithm, Adaptation_state& whole,
+               std::vector<Outcome>& done)
 {
   const int last = int(planes.size()) - 1;
   const std::size_t images = std::size_t(1) << planes.size();
@@ -95,38 +139,38 @@ int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, do
   set_images(cut, in, planes, whole, part);
   algorithm(part);
   Mirror_unfolding unfold(in, whole, part, origin, std::move(cut), planes);
+  Outcome o;
+  o.given_patch = std::move(part.given_patch);
+  o.reference_patch.assign(o.given_patch.size(), -1);
+  o.iterations = whole.iterations + part.iterations;
+  o.operations = whole.operations;
+  for(const auto& n : part.operations) o.operations.emplace_back(n.first, images * n.second);
+  part = Adaptation_state(); // its memory is needed elsewhere
   const int blamed = unfold(limit);
   if(blamed >= 0) return blamed;
-  Adaptation_state s = whole;
-  s.mesh = std::move(unfold.mesh());
-  s.curves = std::move(unfold.curves());
-  s.given_patch = std::move(part.given_patch);
-  s.reference_patch.assign(s.given_patch.size(), -1);
-  s.iterations += part.iterations;
-  for(const auto& o : part.operations) s.count(o.first, images * o.second);
-  s.forget_faces();
-  s.disturb_all();
-  done.push_back(judged(std::move(s), limit));
+  o.mesh = std::move(unfold.mesh());
+  o.curves = std::move(unfold.curves());
+  keep(std::move(o), limit, whole, done);
   return -1;
 }
 
-// Of several meshes the first without more faults than the best and without many more faces. Beside
-// edges that must not change a few faces stay too large, more or fewer by chance.
-inline const Adapted_mesh& choose(const std::vector<Adapted_mesh>& done)
+// Of several outcomes the first without more faults than the best and without many more faces.
+// Beside edges that must not change a few faces stay too large, more or fewer by chance.
+inline Outcome& choose(std::vector<Outcome>& done)
 {
-  const std::vector<Feature_curve>& curves = done.front().state.curves;
+  const std::vector<Feature_curve>& curves = done.front().curves;
   const bool held = std::any_of(curves.begin(), curves.end(),
                                 [](const Feature_curve& c) { return c.is_frozen(); });
   constexpr double tolerated = 1.06;
-  const auto better = [](const Adapted_mesh& a, const Adapted_mesh& b) {
-    return std::make_pair(a.faults, a.state.mesh.number_of_faces()) <
-           std::make_pair(b.faults, b.state.mesh.number_of_faces());
+  const auto better = [](const Outcome& a, const Outcome& b) {
+    return std::make_pair(a.faults, a.mesh.number_of_faces()) <
+           std::make_pair(b.faults, b.mesh.number_of_faces());
   };
-  const Adapted_mesh& best = *std::min_element(done.begin(), done.end(), better);
-  return *std::find_if(done.begin(), done.end(), [&](const Adapted_mesh& a) {
-    const std::size_t spare = held ? std::size_t(a.state.mesh.number_of_faces()) / 300 : 0;
+  const Outcome& best = *std::min_element(done.begin(), done.end(), better);
+  return *std::find_if(done.begin(), done.end(), [&](const Outcome& a) {
+    const std::size_t spare = held ? std::size_t(a.mesh.number_of_faces()) / 300 : 0;
     return a.faults <= best.faults + spare &&
-           a.state.mesh.number_of_faces() <= tolerated * best.state.mesh.number_of_faces();
+           a.mesh.number_of_faces() <= tolerated * best.mesh.number_of_faces();
   });
 }
 
@@ -143,7 +187,7 @@ bool adapt_mirrored(const Input_mesh& in, double limit, double ideal_faces, cons
 {
   constexpr double many_faces = 250;
   std::vector<Mirror_plane> planes = mirror_planes(in, whole);
-  std::vector<Adapted_mesh> done;
+  std::vector<Outcome> done;
   while(!planes.empty()) {
     const int blamed = adapt_part(in, planes, limit, build, algorithm, whole, done);
     if(blamed >= 0) {
@@ -155,12 +199,8 @@ bool adapt_mirrored(const Input_mesh& in, double limit, double ideal_faces, cons
     planes.pop_back();
   }
   if(done.empty()) return false;
-  if(planes.empty()) {
-    Adaptation_state s = whole;
-    algorithm(s);
-    done.push_back(judged(std::move(s), limit));
-  }
-  whole = choose(done).state;
+  if(planes.empty()) adapt_whole(limit, algorithm, whole, done);
+  choose(done).exchange(whole);
   return true;
 }
 

@@ -87,15 +87,16 @@ public:
   }
 
   // Moves the nodes nearest to bends there, and holds them, where edges are much shorter than those
-  // of the polyline.  Returns how many there are.
+  // of the polyline, or at all shorter and there is a node for every bend.  Returns how many there
+  // are.
   std::size_t fit()
   {
-    constexpr double edges_between = 1.6;
+    constexpr double certainly = 1.6, where_all_do = 0.8;
     std::vector<Move> moves;
     for_each_bend([&](const Curve_bend& b, Index v, double way) {
       Vertex_record& r = s_.mesh.vertex(v);
-      if(r.frozen || b.shorter < edges_between * r.h || std::abs(way) > 0.4 * b.shorter ||
-         b.loss(r.h) < curve_loss_allowed)
+      if(r.frozen || b.shorter < (has_node_for_each(r.curve) ? where_all_do : certainly) * r.h ||
+         std::abs(way) > 0.5 * b.shorter || b.loss(r.h) < curve_loss_allowed)
         return;
       r.frozen = true;
       moves.push_back({ v, b.arc });
@@ -117,6 +118,8 @@ private:
     Index node;
     double to;
   };
+
+  bool has_node_for_each(Index curve) const { return nodes_[curve].size() >= bends_[curve].size(); }
 
   double param(Index v) const { return s_.mesh.vertex(v).param; }
 
