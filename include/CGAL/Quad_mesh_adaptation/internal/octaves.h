@@ -184,10 +184,7 @@ inline void halve_all(Adaptation_state& s, int sweeps = 3)
     if(s.mesh.is_face(f)) all.push_back(f);
   refine_faces(s, all);
   ++s.iterations;
-  s.mesh.renumber(spatial_order(s.mesh));
-  s.forget_faces();
-  s.disturb_all();
-  s.stir_all();
+  renumber_by_place(s);
   if(sweeps > 0) smooth(s, sweeps);
 }
 

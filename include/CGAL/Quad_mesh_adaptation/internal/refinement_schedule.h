@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/spatial_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,8 @@ namespace internal {
 inline void refine_by_templates(Adaptation_state& s, const Marking_options& marking,
                                 std::size_t max_passes)
 {
-  constexpr std::size_t few = 100; // one face in so many
+  constexpr std::size_t few = 100, many = 10; // one face in so many
+  constexpr std::size_t large = 5000;         // faces that do not fit in a cache
   const double fine = s.smoothing.wake;
   s.smoothing.wake = 0.02;
   Curve_bends(s).hold();
@@ -35,7 +37,10 @@ inline void refine_by_templates(Adaptation_state& s, const Marking_options& mark
     const std::size_t cut = refine_once(s, marking);
     if(cut == 0) break;
     ++s.iterations;
-    if(few * cut < std::size_t(s.mesh.number_of_faces())) continue;
+    const std::size_t faces = std::size_t(s.mesh.number_of_faces());
+    if(few * cut < faces) continue;
+    if(faces > large && many * cut > faces && std::size_t(s.mesh.face_end()) == faces)
+      renumber_by_place(s);
     set_floors(s);
     smooth(s, 2);
   }
