@@ -221,6 +221,7 @@ private:
     if(hint < 0) hint = mesh_.find(p, -1, direction);
     double d = distance(p, mesh_.project(p, hint));
     if(!asks_tree_ && d > from_reference_) {
+      d = walked_anew(p, t, d, hint);
       of_face[face_of_[hint / 2]] = (std::max)(of_face[face_of_[hint / 2]], d);
       return doubt(d, p, direction);
     }
@@ -240,6 +241,18 @@ private:
     double distance;
     Vec p, direction;
   };
+
+  // A walk that seems to end far off may have been lost from the triangle before on: so it is done
+  // again from the triangle's own start.
+  double walked_anew(const Vec& p, Index t, double d, Index& hint) const
+  {
+    if(start_[t] < 0 || (doubts_.size() == most_doubts && d <= doubts_.back().distance)) return d;
+    Index other = start_[t];
+    const double again = distance(p, mesh_.project(p, other));
+    if(!(again < d)) return d;
+    hint = other;
+    return again;
+  }
 
   // Keeps the largest few, in order.
   void doubt(double d, const Vec& p, const Vec& direction)
