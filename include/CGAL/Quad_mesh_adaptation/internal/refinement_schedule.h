@@ -40,16 +40,18 @@ inline std::vector<char> probes(const Quad_complex& m, std::vector<char> wanted)
 }
 
 // The last smoothing of a pattern of faces that was smooth but for the nodes that are restless, as
-// one is that was halved: first a few nodes are asked, then those near the ones that moved; and a
-// third time only where few are left, because most were in place.
+// one is that was halved: first a few nodes are asked, then those near the ones that moved, and in
+// the end those near the ones that moved far.
 inline void smooth_by_probes(Adaptation_state& s)
 {
+  constexpr double near = 0.04, far = 0.08; // shares of an edge
   std::vector<char> wanted = probes(s.mesh, s.restless);
   clear_floors(s);
   s.restless.swap(wanted);
+  s.smoothing.wake = near;
+  smooth(s, 1);
+  s.smoothing.wake = far;
   smooth(s, 2);
-  const auto left = std::count(s.restless.begin(), s.restless.end(), char(1));
-  if(2 * left < s.mesh.vertex_end()) smooth(s, 1);
 }
 
 // The place of a refinement among the octaves.
@@ -70,7 +72,7 @@ inline void refine_by_templates(Adaptation_state& s, const Marking_options& mark
   constexpr std::size_t few = 100, many = 8; // one face in so many
   constexpr std::size_t large = 5000;        // faces that do not fit in a cache
   const double fine = s.smoothing.wake;
-  s.smoothing.wake = 0.02;
+  s.smoothing.wake = octave.is_last ? 0.04 : 0.02;
   Curve_bends(s).hold();
   const Growth_limit limit(s);
   bool is_smooth = true;
