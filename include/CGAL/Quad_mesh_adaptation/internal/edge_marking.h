@@ -26,8 +26,8 @@ struct Marking_options
 // Splits by edge, all even on every face, nearest to what `wish` asks for: a minimum-weight
 // T-join on the dual graph.  Each face is two graph vertices, one per pair of opposite edges,
 // joined by an edge that stands for a bend (two adjacent split edges); free border edges lead to
-// one outer vertex.  Of a large mesh only what is near odd faces is looked at, as long as that has
-// a solution.
+// one outer vertex.  Of a large mesh only what is near odd faces is looked at, and farther about
+// those for which that has no solution.
 class Even_marks
 {
 public:
@@ -41,18 +41,22 @@ public:
   {
     mark_wishes();
     if(odd_faces_.empty()) return split_;
-    std::size_t most = m_.number_of_faces() < small ? 0 : std::size_t(m_.number_of_faces()) / 2;
+    number_.assign(m_.face_end(), -1);
+    bool is_whole = m_.number_of_faces() < small;
+    std::vector<Index> open = odd_faces_; // those that need more about them
     for(int rings = 4;; rings *= 4) {
-      const bool is_whole = !find_near(rings, most);
-      T_join join = solve();
-      if(join.is_feasible) {
+      is_whole = is_whole || !add_near(open, rings);
+      list_near(is_whole);
+      const T_join join = solve();
+      open.clear();
+      if(!join.is_feasible) list_faces(join, open);
+      if(open.empty() && join.is_feasible) {
         apply(join);
         return split_;
       }
-      if(is_whole) {
-        if(infeasible) list_faces(join, *infeasible);
-        return {};
-      }
+      if(!is_whole) continue;
+      if(infeasible) infeasible->insert(infeasible->end(), open.begin(), open.end());
+      return {};
     }
   }
 
@@ -77,32 +81,41 @@ private:
       if(odd_[2 * f] || odd_[2 * f + 1]) odd_faces_.push_back(f);
   }
 
-  // The faces at most so many rings from an odd one; all, and false, where these are too many.
-  bool find_near(int rings, std::size_t most)
+  // Adds the faces at most so many rings from the given ones; false where most are near then, or
+  // there are no others about these.
+  bool add_near(const std::vector<Index>& seeds, int rings)
+  {
+    std::vector<Index> reached;
+    std::vector<char> is_reached(m_.face_end(), 0);
+    const auto reach = [&](Index f) {
+      if(is_reached[f]) return;
+      is_reached[f] = 1;
+      reached.push_back(f);
+    };
+    for(Index f : seeds) reach(f);
+    std::size_t begin = 0;
+    for(int ring = 0; ring < rings; ++ring)
+      for(const std::size_t end = reached.size(); begin < end; ++begin)
+        for(Index h = 4 * reached[begin]; h < 4 * reached[begin] + 4; ++h)
+          if(m_.opposite(h) >= 0) reach(m_.face(m_.opposite(h)));
+    bool is_more = false;
+    for(Index f : reached) {
+      is_more = is_more || number_[f] < 0;
+      number_[f] = 0;
+    }
+    const auto far = std::count(number_.begin(), number_.end(), Index(-1));
+    return is_more && 4 * far > std::ptrdiff_t(number_.size());
+  }
+
+  // Numbers the faces that are near, or all.
+  void list_near(bool is_whole)
   {
     near_.clear();
-    number_.assign(m_.face_end(), -1);
-    if(odd_faces_.size() <= most) {
-      near_ = odd_faces_;
-      for(Index f : near_) number_[f] = 0;
-      std::size_t begin = 0;
-      for(int ring = 0; ring < rings && begin < near_.size() && near_.size() <= most; ++ring)
-        for(const std::size_t end = near_.size(); begin < end; ++begin)
-          for(Index h = 4 * near_[begin]; h < 4 * near_[begin] + 4; ++h) {
-            const Index g = m_.opposite(h) >= 0 ? m_.face(m_.opposite(h)) : Index(-1);
-            if(g < 0 || number_[g] >= 0) continue;
-            number_[g] = 0;
-            near_.push_back(g);
-          }
-    }
-    const bool are_few = !near_.empty() && near_.size() <= most;
-    near_.clear();
     for(Index f = 0; f < m_.face_end(); ++f)
-      if(m_.is_face(f) && (!are_few || number_[f] == 0)) {
+      if(m_.is_face(f) && (is_whole || number_[f] >= 0)) {
         number_[f] = Index(near_.size());
         near_.push_back(f);
       }
-    return are_few;
   }
 
   // Between the pairs of opposite edges of the faces found.

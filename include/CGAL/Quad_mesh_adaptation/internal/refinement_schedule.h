@@ -54,6 +54,18 @@ inline void smooth_by_probes(Adaptation_state& s)
   smooth(s, 2);
 }
 
+// Smooths where faces have poor shapes still.
+inline void smooth_poor_faces(Adaptation_state& s)
+{
+  constexpr double poor = 0.5;
+  s.restless.assign(s.mesh.vertex_end(), 0);
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && scaled_jacobian(s.corners(f)) < poor)
+      for(Index v : s.mesh.quad(f)) s.disturb(v);
+  s.smoothing.wake = 0.02;
+  smooth(s, 3);
+}
+
 // The place of a refinement among the octaves.
 struct Octave
 {
@@ -97,6 +109,7 @@ inline void refine_by_templates(Adaptation_state& s, const Marking_options& mark
     smooth(s, 2);
   } else {
     smooth_by_probes(s);
+    if(octave.is_last) smooth_poor_faces(s);
   }
   release_bends(s);
   s.smoothing.wake = fine;
