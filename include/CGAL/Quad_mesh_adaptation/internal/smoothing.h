@@ -110,6 +110,21 @@ inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_recor
   return turned > 0 || (least < turned_away && now < (1 - 1e-6) * before);
 }
 
+// Of the faces about v, with v at p.
+inline double largest_warp(const Adaptation_state& s, Index v, const Vec& p)
+{
+  double largest = 0;
+  const Index start = s.mesh.vertex(v).halfedge;
+  Index h = start;
+  do {
+    Corners c = s.corners(s.mesh.face(h));
+    c[h & 3] = p;
+    largest = (std::max)(largest, warp(c));
+    h = s.mesh.turn_left(h);
+  } while(h >= 0 && h != start);
+  return largest;
+}
+
 // Has the move of node v from `old` folded a face along its diagonal by more than some 60 degrees,
 // and by more than any was?  Corners alone say little about that, but `worst`, the least of the
 // corner measures, is below 0.87 then.
@@ -117,17 +132,8 @@ inline bool warps_a_face(const Adaptation_state& s, Index v, const Vertex_record
 {
   constexpr double allowed = 0.7;
   if(s.surface.is_planar() || worst > 0.87) return false;
-  double before = allowed, now = 0;
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
-    Corners p = s.corners(s.mesh.face(h));
-    now = (std::max)(now, warp(p));
-    p[h & 3] = old.p;
-    before = (std::max)(before, warp(p));
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
-  return now > before;
+  const double now = largest_warp(s, v, s.mesh.point(v));
+  return now > allowed && now > largest_warp(s, v, old.p);
 }
 
 // Moves node v to a better place on its carrier; tells whether it moved far enough for its
