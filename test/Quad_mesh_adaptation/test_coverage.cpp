@@ -9,6 +9,8 @@
 #include "support/zoo_mesh.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+#include <CGAL/Quad_mesh_adaptation/internal/spatial_order.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/adapt_quad_mesh.h>
@@ -106,6 +108,30 @@ TEST(Coverage, WitnessesFollowOperationsAndMoves)
   s.scale_sizes(0.25);
   s.prepare_coverage();
   EXPECT_NE(check_witnesses(s), witnesses);
+}
+
+// Each goes to the part that it is nearest to, which is nearly always the face that a search among
+// all of them finds.
+TEST(Coverage, WitnessesOfCutFaces)
+{
+  core::Adaptation_state s = state_of(thorn(16), 0.35);
+  const std::size_t witnesses = check_witnesses(s);
+  const auto cost = [&s] {
+    double sum = 0;
+    for(Index f = 0; f < s.mesh.face_end(); ++f) sum += s.coverage.cost(f);
+    return sum;
+  };
+  const double whole = cost();
+  core::refine_faces(s, { 0, 100, 101, 200 });
+  EXPECT_EQ(check_witnesses(s), witnesses);
+  core::renumber_by_place(s);
+  EXPECT_EQ(check_witnesses(s), witnesses);
+  const double kept = cost();
+  EXPECT_LE(kept, 1.05 * whole);
+  s.coverage.lose();
+  s.prepare_coverage();
+  EXPECT_EQ(check_witnesses(s), witnesses);
+  EXPECT_NEAR(kept, cost(), 1e-3 * whole + 1e-12);
 }
 
 TEST(Coverage, TipStaysInCoarseMeshes)

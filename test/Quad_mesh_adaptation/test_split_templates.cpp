@@ -264,6 +264,30 @@ TEST(Even_marks, TheCheaperWayOut)
   }
 }
 
+// So large that only what is near odd faces is looked at: where that has no solution, as about one
+// odd face far from the others, it must be found farther off.
+TEST(Even_marks, FewOddFacesOfALargeMesh)
+{
+  const Adaptation_state s = make_state(shape_zoo::plate(60, 60));
+  const Quad_complex& m = s.mesh;
+  std::vector<double> wish(4 * std::size_t(m.face_end()), 1.);
+  const auto lower = [&](Index h) {
+    return m.opposite(h) >= 0 && m.opposite(h) < h ? m.opposite(h) : h;
+  };
+  for(Index f : { 30 * 60 + 30, 30 * 60 + 31, 5 * 60 + 40, 50 * 60 + 12 })
+    wish[lower(4 * f + 1)] = -1000.;
+  const std::vector<char> split = core::even_marks(m, wish, 0.25);
+  expect_legal(m, split);
+  for(std::size_t h = 0; h < wish.size(); ++h)
+    if(wish[h] < 0) {
+      EXPECT_EQ(split[h], 1);
+    }
+  for(double& w : wish) w = w > 0 ? infinity : -infinity; // no way left
+  std::vector<Index> faces;
+  EXPECT_TRUE(core::even_marks(m, wish, 0.25, &faces).empty());
+  EXPECT_FALSE(faces.empty());
+}
+
 TEST(Even_marks, InfeasibleIsReported)
 {
   const Adaptation_state s = make_state(shape_zoo::plate(3, 1));

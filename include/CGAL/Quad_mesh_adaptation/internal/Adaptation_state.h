@@ -216,6 +216,14 @@ struct Adaptation_state
     factors.forget_all();
     factor_age.clear();
   }
+  // Face `order[i]` has number i now.
+  void renumber_faces(const std::vector<Index>& order)
+  {
+    forget_sizes();
+    coverage.renumber(order);
+    factors.forget_all();
+    factor_age.clear();
+  }
 
   // Before threads ask for values of faces, disturb and stir: nothing has to grow then.
   void make_room()

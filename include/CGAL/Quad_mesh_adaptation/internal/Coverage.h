@@ -38,8 +38,8 @@ inline std::pair<double, std::size_t> best_cover(const Witness& w,
 // that cuts a tip off is content with that; only the tip can tell.  There are none where the
 // surface is flat or bends gently against the wanted size.
 //
-// Lists of witnesses by face follow operations and moves; after changes of the whole mesh they are
-// lost() and made anew by prepare().
+// Lists of witnesses by face follow operations, cuts and moves; after other changes of the whole
+// mesh they are lost() and made anew by prepare().
 class Coverage
 {
 public:
@@ -105,6 +105,16 @@ public:
     witnesses_[w].cost = cost;
     witnesses_[w].next = first_[f];
     first_[f] = w;
+  }
+
+  // Face `order[i]` has number i from now on.
+  void renumber(const std::vector<Index>& order)
+  {
+    if(!assigned_) return;
+    std::vector<Index> first(order.size(), -1);
+    for(std::size_t i = 0; i < order.size(); ++i)
+      if(order[i] < Index(first_.size())) first[i] = first_[order[i]];
+    first_.swap(first);
   }
 
   // For so many faces.

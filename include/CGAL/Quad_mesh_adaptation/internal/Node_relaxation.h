@@ -99,7 +99,7 @@ private:
     const double a2 = area * area, r2 = ref * ref, both = area * ref;
     // as in Adaptation_state::is_folded
     t.folded = r2 > 0.49 && !(both > 0 && both * both > 0.01 * a2 * r2);
-    t.n = t.folded ? ref / std::sqrt(r2) : a2 > 0 ? area / std::sqrt(a2) : Vec(0, 0, 0);
+    t.n = t.folded ? (1 / std::sqrt(r2)) * ref : a2 > 0 ? (1 / std::sqrt(a2)) * area : Vec(0, 0, 0);
     const double n1 = t.a1 * t.a1, n3 = t.a3 * t.a3, whole = t.n * area;
     t.l1 = std::sqrt(n1);
     t.l3 = std::sqrt(n3);
@@ -220,13 +220,14 @@ private:
       e.worst = -1;
       return { -1, 0, 0, 0 };
     }
+    if(D >= Corner_cost::flat * N) {
+      const double r = 1 / (2 * D * N), t = 4 * D * D * r, i = N * N * r; // i = 1 / t
+      e.worst = (std::min)(e.worst, t);
+      e.value += 0.25 * i * (i - 1);
+      return { t, 2 * D * r, -0.25 * (2 * i - 1) * i * i, 0.25 * (6 * i - 2) * i * i * i };
+    }
     const double inverse_N = 1 / N, t = 2 * D * inverse_N;
     e.worst = (std::min)(e.worst, t);
-    if(t >= 2 * Corner_cost::flat) {
-      const double i = 1 / t;
-      e.value += 0.25 * i * (i - 1);
-      return { t, inverse_N, -0.25 * (2 * i - 1) * i * i, 0.25 * (6 * i - 2) * i * i * i };
-    }
     constexpr double at_flat = Corner_cost::at_flat(), slope = Corner_cost::slope();
     e.value += 0.25 * (at_flat + slope * (2 * Corner_cost::flat - t));
     return { t, inverse_N, -0.25 * slope, 0 };
@@ -309,9 +310,10 @@ private:
 
   bool line_search(Vertex_record& r, int dofs, const double* step, const Evaluation& before)
   {
-    double reach = 0;
+    double reach2 = 0;
     for(const Star_face& f : star_)
-      reach = (std::max)({ reach, distance(r.p, f.q1), distance(r.p, f.q3) });
+      reach2 = (std::max)({ reach2, (r.p - f.q1).squared_length(), (r.p - f.q3).squared_length() });
+    const double reach = std::sqrt(reach2);
     double length = 0;
     for(int i = 0; i < dofs; ++i) length += step[i] * step[i];
     length = std::sqrt(length);

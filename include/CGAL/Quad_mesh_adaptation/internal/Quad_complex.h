@@ -122,6 +122,7 @@ public:
 
   // Vertices below v are never recycled: they stand for vertices of the caller.
   void protect_vertices_below(Index v) { first_reusable_ = v; }
+  bool is_protected(Index v) const { return v < first_reusable_; }
 
   // --- building
   void reserve(std::size_t vertices, std::size_t faces)

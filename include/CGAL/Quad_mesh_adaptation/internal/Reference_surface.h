@@ -45,7 +45,19 @@ public:
                     const Edge_keys& sharp = {})
       : points_(std::move(points)), triangles_(std::move(triangles))
   {
+    find_normals();
     link(sharp);
+    number_patches();
+    detect_plane();
+  }
+
+  // Of triangles whose neighbours across sides (i, i + 1) are known.
+  Reference_surface(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles,
+                    std::vector<std::array<Index, 3>> neighbours)
+      : points_(std::move(points)), triangles_(std::move(triangles)),
+        neighbours_(std::move(neighbours))
+  {
+    find_normals();
     number_patches();
     detect_plane();
   }
@@ -137,6 +149,28 @@ public:
     return Index(tree().nearest_of(p, accept, within));
   }
 
+  // The same without the tree, for a few questions: all triangles are looked at.
+  Index scan_nearer(const Vec& p, const Vec& direction, double within) const
+  {
+    Index best = -1;
+    double least = within * within;
+    for(Index t = 0; t < Index(triangles_.size()); ++t) {
+      const std::array<Vec, 3> c = triangle(t);
+      double off = 0; // squared distance from the box of the triangle
+      for(int i = 0; i < 3; ++i) {
+        const double x = (std::max)({ (std::min)({ c[0][i], c[1][i], c[2][i] }) - p[i],
+                                      p[i] - (std::max)({ c[0][i], c[1][i], c[2][i] }), 0. });
+        off += x * x;
+      }
+      if(off >= least || normals_[t] * direction < 0) continue;
+      const double d = (p - closest_on_triangle(p, c).point).squared_length();
+      if(!(d < least)) continue;
+      least = d;
+      best = t;
+    }
+    return best;
+  }
+
 private:
   Vec nearest_foot(const Vec& p, Index& hint) const
   {
@@ -218,16 +252,21 @@ private:
     }
   };
 
-  void link(const Edge_keys& sharp)
+  void find_normals()
   {
-    neighbours_.assign(triangles_.size(), { -1, -1, -1 });
     normals_.reserve(triangles_.size());
-    std::vector<std::size_t> first(points_.size() + 1, 0);
     for(std::size_t t = 0; t < triangles_.size(); ++t) {
       const auto c = triangle(Index(t));
       normals_.push_back(normalized(cross(c[1] - c[0], c[2] - c[0])));
-      for(int i = 0; i < 3; ++i) ++first[(std::min)(end(t, i), end(t, i + 1)) + 1];
     }
+  }
+
+  void link(const Edge_keys& sharp)
+  {
+    neighbours_.assign(triangles_.size(), { -1, -1, -1 });
+    std::vector<std::size_t> first(points_.size() + 1, 0);
+    for(std::size_t t = 0; t < triangles_.size(); ++t)
+      for(int i = 0; i < 3; ++i) ++first[(std::min)(end(t, i), end(t, i + 1)) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<Side> sides(first.back());
     std::vector<std::size_t> next(first.begin(), first.end() - 1);

@@ -28,7 +28,8 @@ void put_in_order(std::vector<T>& list, int order)
   for(std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[random() % i]);
 }
 
-// A walk over marked nodes at several places at once, a step at each in turn.  The nodes of one
+// A walk over marked nodes at several places at once, a step at each in turn.  A step takes one
+// node at each place, or a run of some that follow each other.  The nodes of different runs of one
 // step are far from each other, but for a few, so that threads can work on them side by side; the
 // order depends on the marks and on the choice of one alone.
 class Walk
@@ -36,23 +37,26 @@ class Walk
 public:
   // A new place for every `stretch` nodes, up to `most` places; one place for few nodes.
   Walk(const Quad_complex& m, const std::vector<char>& marks, std::size_t stretch, std::size_t most,
-       int order)
+       int order, std::size_t run = 1)
+      : run_(run)
   {
     for(Index v = 0; v < m.vertex_end(); ++v)
       if(marks[v] && m.is_vertex(v)) nodes_.push_back(v);
     put_in_order(nodes_, order);
     std::size_t places = nodes_.size() < few ? 1 : nodes_.size() / stretch;
     places = (std::min)((std::max)(places, std::size_t(1)), most);
-    steps_ = (nodes_.size() + places - 1) / places;
+    steps_ = (nodes_.size() + places * run_ - 1) / (places * run_);
   }
 
   std::size_t steps() const { return steps_; }
 
-  // The nodes of a step, in order.
+  // The nodes of a step, in order; all runs but the last have their full length.
   const std::vector<Index>& step(std::size_t number)
   {
     batch_.clear();
-    for(std::size_t i = number; i < nodes_.size(); i += steps_) batch_.push_back(nodes_[i]);
+    for(std::size_t i = number * run_; i < nodes_.size(); i += steps_ * run_)
+      batch_.insert(batch_.end(), nodes_.begin() + std::ptrdiff_t(i),
+                    nodes_.begin() + std::ptrdiff_t((std::min)(i + run_, nodes_.size())));
     return batch_;
   }
 
@@ -60,7 +64,7 @@ private:
   static constexpr std::size_t few = 2000; // threads would not pay
 
   std::vector<Index> nodes_, batch_;
-  std::size_t steps_ = 0;
+  std::size_t run_, steps_ = 0;
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/t_join.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -25,87 +26,199 @@ struct Marking_options
 // Splits by edge, all even on every face, nearest to what `wish` asks for: a minimum-weight
 // T-join on the dual graph.  Each face is two graph vertices, one per pair of opposite edges,
 // joined by an edge that stands for a bend (two adjacent split edges); free border edges lead to
-// one outer vertex.  `wish`, per half-edge of each edge's lower half: negative asks for a split,
-// its magnitude is the cost of doing otherwise; infinite fixes the edge.
+// one outer vertex.  Of a large mesh only what is near odd faces is looked at, and farther about
+// those for which that has no solution.
+class Even_marks
+{
+public:
+  Even_marks(const Quad_complex& m, const std::vector<double>& wish, double bend)
+      : m_(m), wish_(wish), bend_(bend), split_(4 * std::size_t(m.face_end()), 0),
+        odd_(2 * std::size_t(m.face_end()), 0)
+  {
+  }
+
+  std::vector<char> operator()(std::vector<Index>* infeasible)
+  {
+    mark_wishes();
+    if(odd_faces_.empty()) return split_;
+    number_.assign(m_.face_end(), -1);
+    bool is_whole = m_.number_of_faces() < small;
+    std::vector<Index> open = odd_faces_; // those that need more about them
+    for(int rings = 4;; rings *= 4) {
+      is_whole = is_whole || !add_near(open, rings);
+      list_near(is_whole);
+      const T_join join = solve();
+      open.clear();
+      if(!join.is_feasible) list_faces(join, open);
+      if(open.empty() && join.is_feasible) {
+        apply(join);
+        return split_;
+      }
+      if(!is_whole) continue;
+      if(infeasible) infeasible->insert(infeasible->end(), open.begin(), open.end());
+      return {};
+    }
+  }
+
+private:
+  static constexpr Index small = 2000; // faces: not worth a selection
+
+  static Index port(Index h) { return 2 * (h >> 2) + (h & 1); }
+  bool is_lower(Index h) const { return !(m_.opposite(h) >= 0 && m_.opposite(h) < h); }
+
+  void mark_wishes()
+  {
+    for(Index h = 0; h < 4 * m_.face_end(); ++h) {
+      if(!(wish_[h] < 0) || !m_.is_face(m_.face(h)) || !is_lower(h)) continue;
+      const Index o = m_.opposite(h);
+      split_[h] = 1;
+      odd_[port(h)] ^= 1;
+      if(o < 0) continue;
+      split_[o] = 1;
+      odd_[port(o)] ^= 1;
+    }
+    for(Index f = 0; f < m_.face_end(); ++f)
+      if(odd_[2 * f] || odd_[2 * f + 1]) odd_faces_.push_back(f);
+  }
+
+  // Adds the faces at most so many rings from the given ones; false where most are near then, or
+  // there are no others about these.
+  bool add_near(const std::vector<Index>& seeds, int rings)
+  {
+    std::vector<Index> reached;
+    std::vector<char> is_reached(m_.face_end(), 0);
+    const auto reach = [&](Index f) {
+      if(is_reached[f]) return;
+      is_reached[f] = 1;
+      reached.push_back(f);
+    };
+    for(Index f : seeds) reach(f);
+    std::size_t begin = 0;
+    for(int ring = 0; ring < rings; ++ring)
+      for(const std::size_t end = reached.size(); begin < end; ++begin)
+        for(Index h = 4 * reached[begin]; h < 4 * reached[begin] + 4; ++h)
+          if(m_.opposite(h) >= 0) reach(m_.face(m_.opposite(h)));
+    bool is_more = false;
+    for(Index f : reached) {
+      is_more = is_more || number_[f] < 0;
+      number_[f] = 0;
+    }
+    const auto far = std::count(number_.begin(), number_.end(), Index(-1));
+    return is_more && 4 * far > std::ptrdiff_t(number_.size());
+  }
+
+  // Numbers the faces that are near, or all.
+  void list_near(bool is_whole)
+  {
+    near_.clear();
+    for(Index f = 0; f < m_.face_end(); ++f)
+      if(m_.is_face(f) && (is_whole || number_[f] >= 0)) {
+        number_[f] = Index(near_.size());
+        near_.push_back(f);
+      }
+  }
+
+  // Between the pairs of opposite edges of the faces found.
+  T_join solve()
+  {
+    const Index outside = 2 * Index(near_.size());
+    const auto vertex = [&](Index h) { return 2 * number_[m_.face(h)] + (h & 1); };
+    edges_.clear();
+    halfedge_of_.clear();
+    std::vector<char> free(near_.size(), 0), odd(std::size_t(outside) + 1, 0);
+    for(Index f : near_)
+      for(Index h = 4 * f; h < 4 * f + 4; ++h) {
+        const Index o = m_.opposite(h);
+        if(!is_lower(h) || !std::isfinite(wish_[h]) || (o >= 0 && number_[m_.face(o)] < 0))
+          continue;
+        free[number_[f]] = 1;
+        if(o >= 0) free[number_[m_.face(o)]] = 1;
+        edges_.push_back({ vertex(h), o >= 0 ? vertex(o) : outside, std::abs(wish_[h]) });
+        halfedge_of_.push_back(h);
+      }
+    for(std::size_t k = 0; k < near_.size(); ++k) {
+      for(int i = 0; i < 2; ++i) {
+        odd[2 * k + i] = odd_[2 * near_[k] + i];
+        odd[outside] ^= odd[2 * k + i]; // the border takes up an odd one
+      }
+      if(!free[k]) continue; // no edge of it may be split
+      edges_.push_back({ Index(2 * k), Index(2 * k + 1), bend_ });
+      halfedge_of_.push_back(-1);
+    }
+    return minimum_weight_t_join(std::size_t(outside) + 1, edges_, odd);
+  }
+
+  void apply(const T_join& join)
+  {
+    for(std::size_t i = 0; i < edges_.size(); ++i) {
+      if(!join.in_join[i] || halfedge_of_[i] < 0) continue;
+      const Index h = halfedge_of_[i], o = m_.opposite(h);
+      split_[h] ^= 1;
+      if(o >= 0) split_[o] ^= 1;
+    }
+  }
+
+  void list_faces(const T_join& join, std::vector<Index>& faces) const
+  {
+    for(const auto& component : join.obstructions)
+      for(Index v : component)
+        if(v < 2 * Index(near_.size())) faces.push_back(near_[v / 2]); // else the outside
+  }
+
+  const Quad_complex& m_;
+  const std::vector<double>& wish_;
+  double bend_;
+  std::vector<char> split_, odd_;                // by half-edge, by pair of opposite edges
+  std::vector<Index> odd_faces_, near_, number_; // number: among the near ones, -1: is none
+  std::vector<T_join_edge> edges_;
+  std::vector<Index> halfedge_of_; // of each of these; -1: a bend
+};
+
+// `wish`, per half-edge of each edge's lower half: negative asks for a split, its magnitude is the
+// cost of doing otherwise; infinite fixes the edge.
 // Returns, per half-edge, whether its edge is split; faces without solution in `infeasible`.
 inline std::vector<char> even_marks(const Quad_complex& m, const std::vector<double>& wish,
                                     double bend, std::vector<Index>* infeasible = nullptr)
 {
-  const std::size_t n = 2 * std::size_t(m.face_end());
-  std::vector<char> split(4 * std::size_t(m.face_end()), 0), odd(n + 1, 0);
-  std::vector<T_join_edge> edges;
-  std::vector<Index> halfedge_of;
-  const auto port = [](Index h) { return 2 * (h >> 2) + (h & 1); };
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
-    const Index o = m.opposite(h);
-    if(o >= 0 && o < h) continue;
-    const Index a = port(h), b = o >= 0 ? port(o) : Index(n);
-    if(wish[h] < 0) {
-      split[h] = 1;
-      odd[a] ^= 1;
-      if(o >= 0) {
-        split[o] = 1;
-        odd[b] ^= 1;
-      }
-    }
-    if(!std::isfinite(wish[h])) continue;
-    edges.push_back({ a, b, std::abs(wish[h]) });
-    halfedge_of.push_back(h);
-  }
-  std::vector<char> taken(m.face_end(), 0); // faces that any edge may be split of
-  for(Index h : halfedge_of) {
-    taken[m.face(h)] = 1;
-    if(m.opposite(h) >= 0) taken[m.face(m.opposite(h))] = 1;
-  }
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(taken[f]) {
-      edges.push_back({ 2 * f, 2 * f + 1, bend });
-      halfedge_of.push_back(-1);
-    }
-  std::size_t terminals = 0;
-  for(std::size_t i = 0; i < n; ++i) terminals += std::size_t(odd[i]);
-  odd[n] = terminals % 2 == 1; // the border takes up an odd one
-  const T_join join = minimum_weight_t_join(n + 1, edges, odd);
-  if(!join.is_feasible) {
-    if(infeasible)
-      for(const auto& component : join.obstructions)
-        for(Index v : component)
-          if(v < Index(n)) infeasible->push_back(v / 2); // the outer vertex is no face
-    return {};
-  }
-  for(std::size_t i = 0; i < edges.size(); ++i) {
-    if(!join.in_join[i] || halfedge_of[i] < 0) continue;
-    const Index h = halfedge_of[i], o = m.opposite(h);
-    split[h] ^= 1;
-    if(o >= 0) split[o] ^= 1;
-  }
-  return split;
+  return Even_marks(m, wish, bend)(infeasible);
 }
-// What splitting edge h costs: negative where it is too long, infinite where it must not be split.
-// With rho = length / size at the middle, splitting changes (log rho)^2 by
-// ln 2 (ln 2 - 2 ln(rho / rho_0)).
-inline double split_wish(const Adaptation_state& s, const Marking_options& o, Index h)
+
+// Length of edge h over its size at the middle times rho_0; infinite where it must not be split.
+inline double split_ratio(const Adaptation_state& s, const Marking_options& o, Index h)
 {
   const Quad_complex& m = s.mesh;
   const Index c = m.curve(h);
   if(c >= 0 && s.curves[c].is_frozen()) return std::numeric_limits<double>::infinity();
-  const double ln2 = std::log(2.);
   const Vec &a = m.point(m.origin(h)), &b = m.point(m.target(h));
-  const double rho = distance(a, b) / s.size.at(0.5 * (a + b));
-  return ln2 * (ln2 - 2 * std::log(rho / o.threshold));
+  return distance(a, b) / (s.size.at(0.5 * (a + b)) * o.threshold);
 }
 
-// The same of all edges, by the lower of their half-edges.
-inline std::vector<double> split_wishes(const Adaptation_state& s, const Marking_options& o)
+// What splitting an edge of that ratio rho costs: negative where it is too long.  A split changes
+// (log rho)^2 by ln 2 (ln 2 - 2 ln rho).
+inline double split_wish(double ratio)
+{
+  const double ln2 = std::log(2.);
+  return std::isfinite(ratio) ? ln2 * (ln2 - 2 * std::log(ratio)) : ratio;
+}
+
+inline double split_wish(const Adaptation_state& s, const Marking_options& o, Index h)
+{
+  return split_wish(split_ratio(s, o, h));
+}
+
+// The ratios of all edges, by the lower of their half-edges.
+inline std::vector<double> split_ratios(const Adaptation_state& s, const Marking_options& o)
 {
   const Quad_complex& m = s.mesh;
-  std::vector<double> wish(4 * std::size_t(m.face_end()), 0.);
+  std::vector<double> ratio(4 * std::size_t(m.face_end()), 0.);
   for(Index h = 0; h < 4 * m.face_end(); ++h)
     if(m.is_face(m.face(h)) && !(m.opposite(h) >= 0 && m.opposite(h) < h))
-      wish[h] = split_wish(s, o, h);
-  return wish;
+      ratio[h] = split_ratio(s, o, h);
+  return ratio;
 }
+
+// Does an edge of that ratio ask for a split?
+inline bool asks_for_split(double ratio) { return std::isfinite(ratio) && ratio * ratio > 2; }
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
+#include <CGAL/Quad_mesh_adaptation/internal/spatial_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,27 +173,6 @@ private:
   double most_;
 };
 
-// All faces, each beside one that comes not long before it.
-inline std::vector<Index> breadth_first_order(const Quad_complex& m)
-{
-  std::vector<Index> order;
-  order.reserve(m.number_of_faces());
-  std::vector<char> seen(m.face_end(), 0);
-  const auto reach = [&](Index f) {
-    if(seen[f]) return;
-    seen[f] = 1;
-    order.push_back(f);
-  };
-  for(Index start = 0; start < m.face_end(); ++start) {
-    if(!m.is_face(start)) continue;
-    std::size_t next = order.size();
-    for(reach(start); next < order.size(); ++next)
-      for(Index h = 4 * order[next]; h < 4 * order[next] + 4; ++h)
-        if(m.opposite(h) >= 0) reach(m.face(m.opposite(h)));
-  }
-  return order;
-}
-
 // Halves the sizes and all edges.  Since no face of the input is left then, all may be renumbered.
 // Sweeps over a million faces take half the time for it.
 inline void halve_all(Adaptation_state& s, int sweeps = 3)
@@ -204,10 +184,7 @@ inline void halve_all(Adaptation_state& s, int sweeps = 3)
     if(s.mesh.is_face(f)) all.push_back(f);
   refine_faces(s, all);
   ++s.iterations;
-  s.mesh.renumber(breadth_first_order(s.mesh));
-  s.forget_faces();
-  s.disturb_all();
-  s.stir_all();
+  renumber_by_place(s);
   if(sweeps > 0) smooth(s, sweeps);
 }
 

@@ -62,7 +62,9 @@ inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
                                std::vector<Index>* infeasible = nullptr)
 {
   s.check_cancelled();
-  const std::vector<double> wish = split_wishes(s, o);
+  std::vector<double> wish = split_ratios(s, o);
+  if(std::none_of(wish.begin(), wish.end(), asks_for_split)) return 0;
+  for(double& w : wish) w = split_wish(w);
   std::vector<char> split;
   if(!s.region.empty()) {
     std::vector<double> inside = wish;

@@ -110,6 +110,21 @@ inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_recor
   return turned > 0 || (least < turned_away && now < (1 - 1e-6) * before);
 }
 
+// Of the faces about v, with v at p.
+inline double largest_warp(const Adaptation_state& s, Index v, const Vec& p)
+{
+  double largest = 0;
+  const Index start = s.mesh.vertex(v).halfedge;
+  Index h = start;
+  do {
+    Corners c = s.corners(s.mesh.face(h));
+    c[h & 3] = p;
+    largest = (std::max)(largest, warp(c));
+    h = s.mesh.turn_left(h);
+  } while(h >= 0 && h != start);
+  return largest;
+}
+
 // Has the move of node v from `old` folded a face along its diagonal by more than some 60 degrees,
 // and by more than any was?  Corners alone say little about that, but `worst`, the least of the
 // corner measures, is below 0.87 then.
@@ -117,17 +132,8 @@ inline bool warps_a_face(const Adaptation_state& s, Index v, const Vertex_record
 {
   constexpr double allowed = 0.7;
   if(s.surface.is_planar() || worst > 0.87) return false;
-  double before = allowed, now = 0;
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
-    Corners p = s.corners(s.mesh.face(h));
-    now = (std::max)(now, warp(p));
-    p[h & 3] = old.p;
-    before = (std::max)(before, warp(p));
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
-  return now > before;
+  const double now = largest_warp(s, v, s.mesh.point(v));
+  return now > allowed && now > largest_warp(s, v, old.p);
 }
 
 // Moves node v to a better place on its carrier; tells whether it moved far enough for its
@@ -169,9 +175,10 @@ inline void disturb_around(Adaptation_state& s, Index v)
   } while(h >= 0 && h != start);
 }
 
-// One round of smoothing.  Threads move the nodes of one step of a walk side by side, but for those
-// that have a neighbour among the earlier ones; these come after them.  Since nodes only see their
-// neighbours, that is the same as one after the other.
+// One round of smoothing.  Threads move the runs of one step of a walk side by side, but for nodes
+// that have a neighbour among those of earlier runs, or among those of their own that have to wait;
+// these come after them.  Since nodes only see their neighbours, that is the same as one after the
+// other.
 class Smoothing_sweep
 {
 public:
@@ -187,7 +194,7 @@ public:
     constexpr std::size_t places = 64;
     s_.make_room();
     place_.assign(s_.workers.are_several() ? std::size_t(s_.mesh.vertex_end()) : 0, 0);
-    Walk walk(s_.mesh, wanted, 500, places, s_.order);
+    Walk walk(s_.mesh, wanted, 500, places, s_.order, run_length);
     std::size_t moves = 0;
     for(std::size_t step = 0; step < walk.steps(); ++step) {
       const std::vector<Index>& nodes = walk.step(step);
@@ -217,42 +224,52 @@ private:
 
   std::size_t move_together(const std::vector<Index>& nodes)
   {
-    std::vector<Outcome> outcome(nodes.size());
+    outcome_.assign(nodes.size(), Outcome::stayed);
     for(std::size_t i = 0; i < nodes.size(); ++i) place_[nodes[i]] = Index(i) + 1;
-    s_.workers.run(nodes.size(), [&](std::size_t i) {
-      if(follows_a_neighbour(nodes[i]))
-        outcome[i] = Outcome::has_to_wait;
-      else if(move_node(s_, nodes[i], relaxations_.mine()))
-        outcome[i] = Outcome::moved;
+    const std::size_t runs = (nodes.size() + run_length - 1) / run_length;
+    s_.workers.run(runs, [&](std::size_t run) {
+      const std::size_t last = (std::min)((run + 1) * run_length, nodes.size());
+      for(std::size_t i = run * run_length; i < last; ++i)
+        if(has_to_wait(nodes[i]))
+          outcome_[i] = Outcome::has_to_wait;
+        else if(move_node(s_, nodes[i], relaxations_.mine()))
+          outcome_[i] = Outcome::moved;
     });
     std::size_t moves = 0;
     for(std::size_t i = 0; i < nodes.size(); ++i) {
-      place_[nodes[i]] = 0;
-      if(outcome[i] == Outcome::has_to_wait) moves += move(nodes[i]);
-      if(outcome[i] != Outcome::moved) continue;
+      if(outcome_[i] == Outcome::has_to_wait) moves += move(nodes[i]);
+      if(outcome_[i] != Outcome::moved) continue;
       disturb_around(s_, nodes[i]);
       ++moves;
     }
+    for(Index v : nodes) place_[v] = 0;
     return moves;
   }
 
-  bool follows_a_neighbour(Index v) const
+  bool has_to_wait(Index v) const
   {
     const Quad_complex& m = s_.mesh;
+    const std::size_t here = std::size_t(place_[v] - 1), run = here / run_length;
     const Index start = m.vertex(v).halfedge;
     Index h = start;
     do {
-      for(Index u : m.quad(m.face(h)))
-        if(place_[u] > 0 && place_[u] < place_[v]) return true;
+      for(Index u : m.quad(m.face(h))) {
+        if(place_[u] == 0 || place_[u] >= place_[v]) continue;
+        const std::size_t there = std::size_t(place_[u] - 1);
+        if(there / run_length != run || outcome_[there] == Outcome::has_to_wait) return true;
+      }
       h = m.turn_left(h);
     } while(h >= 0 && h != start);
     return false;
   }
 
+  static constexpr std::size_t run_length = 16; // neighbours mostly: what they share stays near
+
   Adaptation_state& s_;
   Node_relaxation relax_;
   Worker_own<Node_relaxation> relaxations_;
-  std::vector<Index> place_; // of a node in the step, from 1
+  std::vector<Index> place_;     // of a node in the step, from 1
+  std::vector<Outcome> outcome_; // by place
 };
 
 // Size-aware smoothing: at most `sweeps` rounds over the nodes about which something changed, each

@@ -84,7 +84,6 @@ public:
       if(m.is_face(f) && cut_face(f)) ++cut;
     if(cut == 0) return 0;
     m.link();
-    s_.coverage.lose();
     for(Index f : children_) look_again(f);
     s_.count("template refinement", cut);
     return cut;
@@ -105,6 +104,7 @@ private:
     patch_ = m.patch(f);
     face_ = f;
     fresh_ = false;
+    first_child_ = children_.size();
     if(marks == 4)
       cut_in_four();
     else if(split_[4 * f] == split_[4 * f + 2])
@@ -112,7 +112,23 @@ private:
     else
       for(int i = 0; i < 4; ++i)
         if(split_[4 * f + i] && split_[4 * f + ((i + 3) & 3)]) cut_in_three(i);
+    hand_witnesses_on();
     return true;
+  }
+
+  // Each witness of the face goes to the child that it is nearest to.
+  void hand_witnesses_on()
+  {
+    witnesses_.clear();
+    s_.coverage.take(face_, witnesses_);
+    if(witnesses_.empty()) return;
+    corners_.clear();
+    for(std::size_t i = first_child_; i < children_.size(); ++i)
+      corners_.push_back(s_.corners(children_[i]));
+    for(Index w : witnesses_) {
+      const std::pair<double, std::size_t> best = best_cover(s_.coverage[w], corners_);
+      s_.coverage.give(w, children_[first_child_ + best.second], best.first);
+    }
   }
 
   void cut_in_four()
@@ -172,7 +188,9 @@ private:
 
   Adaptation_state& s_;
   const std::vector<char>& split_;
-  std::vector<Index> middle_, children_;
+  std::vector<Index> middle_, children_, witnesses_;
+  std::vector<Corners> corners_;
+  std::size_t first_child_ = 0; // of the face that is cut, among the children
   std::array<Index, 4> corner_, mid_, curve_;
   Index patch_ = 0, face_ = 0;
   bool fresh_ = false;

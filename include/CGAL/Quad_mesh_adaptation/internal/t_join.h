@@ -132,7 +132,7 @@ private:
       for(const auto& a : m_graph.arcs(t)) lightest = (std::min)(lightest, a.weight);
       if(std::isfinite(lightest)) radius = (std::max)(radius, lightest);
     }
-    for(int attempt = 0; attempt < 3; ++attempt, radius *= 4) {
+    for(int attempt = 0; attempt < 5; ++attempt, radius *= 2) {
       make_cells(radius);
       span_terminals();
       if(are_trees_even()) return;
