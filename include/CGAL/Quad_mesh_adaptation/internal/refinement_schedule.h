@@ -54,16 +54,22 @@ inline void smooth_by_probes(Adaptation_state& s)
   smooth(s, 2);
 }
 
-// Smooths where faces have poor shapes still.
+// Smooths where faces have poor shapes still, again as long as there are some.
 inline void smooth_poor_faces(Adaptation_state& s)
 {
   constexpr double poor = 0.5;
-  s.restless.assign(s.mesh.vertex_end(), 0);
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && scaled_jacobian(s.corners(f)) < poor)
+  s.smoothing.wake = 0.005;
+  for(int round = 0; round < 4; ++round) {
+    s.restless.assign(s.mesh.vertex_end(), 0);
+    bool is_any = false;
+    for(Index f = 0; f < s.mesh.face_end(); ++f) {
+      if(!s.mesh.is_face(f) || scaled_jacobian(s.corners(f)) >= poor) continue;
       for(Index v : s.mesh.quad(f)) s.disturb(v);
-  s.smoothing.wake = 0.02;
-  smooth(s, 3);
+      is_any = true;
+    }
+    if(!is_any) return;
+    smooth(s, 3);
+  }
 }
 
 // The place of a refinement among the octaves.
