@@ -75,7 +75,7 @@ inline void smooth_poor_faces(Adaptation_state& s)
 // The place of a refinement among the octaves.
 struct Octave
 {
-  bool is_first, is_last; // no halving before, none to follow
+  bool is_first = true, is_last = true; // no halving before, none to follow
 };
 
 // Refinement with templates and smoothing only.  An edge that no pass can split, because parity and
@@ -85,7 +85,7 @@ struct Octave
 // will do, since all nodes move again; in the last octave, which has nearly all faces, it is about
 // the faces that were cut alone, unless these are many.
 inline void refine_by_templates(Adaptation_state& s, const Marking_options& marking,
-                                std::size_t max_passes, const Octave& octave)
+                                std::size_t max_passes, const Octave& octave = Octave())
 {
   constexpr std::size_t few = 100, many = 8; // one face in so many
   constexpr std::size_t large = 5000;        // faces that do not fit in a cache
