@@ -54,22 +54,28 @@ inline void smooth_by_probes(Adaptation_state& s)
   smooth(s, 2);
 }
 
-// Smooths where faces have poor shapes still.
+// Smooths where faces have poor shapes still, again as long as there are some.
 inline void smooth_poor_faces(Adaptation_state& s)
 {
   constexpr double poor = 0.5;
-  s.restless.assign(s.mesh.vertex_end(), 0);
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && scaled_jacobian(s.corners(f)) < poor)
+  s.smoothing.wake = 0.005;
+  for(int round = 0; round < 4; ++round) {
+    s.restless.assign(s.mesh.vertex_end(), 0);
+    bool is_any = false;
+    for(Index f = 0; f < s.mesh.face_end(); ++f) {
+      if(!s.mesh.is_face(f) || scaled_jacobian(s.corners(f)) >= poor) continue;
       for(Index v : s.mesh.quad(f)) s.disturb(v);
-  s.smoothing.wake = 0.02;
-  smooth(s, 3);
+      is_any = true;
+    }
+    if(!is_any) return;
+    smooth(s, 3);
+  }
 }
 
 // The place of a refinement among the octaves.
 struct Octave
 {
-  bool is_first, is_last; // no halving before, none to follow
+  bool is_first = true, is_last = true; // no halving before, none to follow
 };
 
 // Refinement with templates and smoothing only.  An edge that no pass can split, because parity and
@@ -79,7 +85,7 @@ struct Octave
 // will do, since all nodes move again; in the last octave, which has nearly all faces, it is about
 // the faces that were cut alone, unless these are many.
 inline void refine_by_templates(Adaptation_state& s, const Marking_options& marking,
-                                std::size_t max_passes, const Octave& octave)
+                                std::size_t max_passes, const Octave& octave = Octave())
 {
   constexpr std::size_t few = 100, many = 8; // one face in so many
   constexpr std::size_t large = 5000;        // faces that do not fit in a cache
