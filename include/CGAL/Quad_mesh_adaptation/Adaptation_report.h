@@ -70,8 +70,8 @@ struct Adaptation_report
   long entity = -1;
 
   Mesh_measures before, after; ///< filled unless the input was refused
-  /// What `expected_number_of_faces()` says, made before the work; `adapt_quad_mesh()` with the
-  /// default schedule only, otherwise 0.
+  /// What the formula of `expected_number_of_faces()` says, made before the work;
+  /// `adapt_quad_mesh()` with the default schedule only, otherwise 0.
   double expected_number_of_faces = 0;
   /// How fast the given size grows over the input mesh; filled unless the input was refused.
   Size_growth size_growth;

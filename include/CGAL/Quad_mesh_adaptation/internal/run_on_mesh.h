@@ -97,6 +97,22 @@ inline void leave_idle_reference(const Input_mesh& in, const Feature_options& fe
   s = std::move(flat);
 }
 
+// Runs `algorithm(state)` on what was built of the input; where that may be and this is symmetric,
+// on a part of it that is mirrored then.
+template <typename Algorithm>
+void adapt_state(const Input_mesh& in, const Feature_options& features, Geometry_options geometry,
+                 bool may_mirror, Aim aim, double ideal_number_of_faces, const Algorithm& algorithm,
+                 Adaptation_state& s)
+{
+  if(may_mirror && geometry.reference) leave_idle_reference(in, features, geometry, s);
+  const auto build = [&](const Input_mesh& input, Adaptation_state& state) {
+    build_state(input, features, geometry, state);
+  };
+  if(!may_mirror || !geometry.is_flat_input() ||
+     !adapt_mirrored(in, largest_allowed(aim), ideal_number_of_faces, build, algorithm, s))
+    algorithm(s);
+}
+
 // What every public function does around its algorithm: import and check, build the state, run
 // `algorithm(state)`, measure, and only then write back.  `is_default`: the algorithm is the
 // whole default schedule, whose count can be foretold, and which may run on a part of a symmetric
@@ -133,10 +149,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     observe(np, s, clock);
     Geometry_options geometry = decode_geometry<typename Decoded::Point>(np);
     geometry.reference = reference ? &*reference : nullptr;
-    const auto build = [&](const Input_mesh& input, Adaptation_state& state) {
-      build_state(input, features, geometry, state);
-    };
-    build(in, s);
+    build_state(in, features, geometry, s);
     count_features(s, report);
     bound.start();
     report.before = measured_state(s, reference);
@@ -147,12 +160,9 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
           expected_faces(s, report.before.ideal_number_of_faces,
                          report.size_growth.mean_square_slope, scale_of(aim));
     const bool may_mirror = is_default && decode_symmetry(np) && !bound.is_asked_for();
-    if(may_mirror && reference) leave_idle_reference(in, features, geometry, s);
-    const bool mirrored = may_mirror && geometry.is_flat_input() &&
-                          adapt_mirrored(
-                              in, largest_allowed(aim), report.before.ideal_number_of_faces, build,
-                              [&](Adaptation_state& part) { algorithm(part, report); }, s);
-    if(!mirrored) algorithm(s, report);
+    adapt_state(
+        in, features, geometry, may_mirror, aim, report.before.ideal_number_of_faces,
+        [&](Adaptation_state& part) { algorithm(part, report); }, s);
     while(bound.tighten()) algorithm(s, report);
     report.after = measured_state(s, reference);
     s.report_progress(1);
