@@ -102,9 +102,8 @@ TEST(SmallChange, None)
   EXPECT_GT(kept_far_away(before, mesh, Point(-9, 0, 0)), 0.9);
 }
 
-// Several runs on one state, as for a distance that is asked for: new nodes take the places of old
-// ones, and are worked on like all others.
-TEST(SmallChange, AfterFormerRuns)
+// Also where a bound on the distance takes faces of its own.
+TEST(SmallChange, WithABoundOnTheDistance)
 {
   const Mesh round = zoo_mesh::make<Mesh, Point>(shape_zoo::sphere(48));
   const auto np = QMA::symmetry(false, QMA::reference_surface(round));
@@ -115,9 +114,9 @@ TEST(SmallChange, AfterFormerRuns)
   const double bound = 0.004;
   const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::max_distance(bound, np));
   EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
-  EXPECT_LT(r.after.mesh_to_reference, 1.1 * bound);
+  EXPECT_LE(r.after.mesh_to_reference, bound);
   EXPECT_GE(r.after.min_scaled_jacobian, 0.45);
-  EXPECT_GE(r.after.efficiency, 0.7);
+  EXPECT_GE(r.after.efficiency, 0.5);
 }
 
 // A bad face does not keep a mesh that is a little too fine everywhere from being coarsened.

@@ -193,10 +193,13 @@ Named_function_parameters<Projector, curve_projector_t, NP> curve_projector(cons
 }
 
 /// How far faces may be from the reference surface and its curves, and these from the faces.  Sizes
-/// are lowered where the curvature asks for it, and again (in up to four further runs) where a
-/// face is found too far; they then grow by at most 0.5 per unit of length.  All sizes in the
-/// report are the lowered ones.  What stays too far is listed in `faces_too_far`.  Default: no
-/// bound.
+/// are lowered where the curvature asks for it, and grow from there by at most 0.3 per unit of
+/// length; faces found too far in the end are split.  The report compares with the sizes given, as
+/// ever, so that its efficiency falls with the bound.  What stays too far, on references that are
+/// rough or do not fit the curves, is listed in `faces_too_far`.  Where the bound is below what the
+/// flat facets of the reference are off the smooth surface that they stand for, the number of faces
+/// grows as its inverse square: a finer reference, or `smooth_reference()`, needs far fewer.
+/// Default: no bound.
 inline Named_function_parameters<double, max_distance_t> max_distance(double d)
 {
   return Named_function_parameters<double, max_distance_t>(d);

@@ -255,9 +255,17 @@ struct Adaptation_state
   {
     size.scale_by(factor * size.scale());
     for(Index v = 0; v < mesh.vertex_end(); ++v) mesh.vertex(v).h *= factor;
+    limit_distance(factor * factor * max_distance); // as faces of these sizes come to lie
     forget_sizes();
     disturb_all();
     stir_all();
+  }
+
+  // From now on.
+  void limit_distance(double allowed)
+  {
+    max_distance = allowed;
+    coverage.set_bound(allowed);
   }
 
   // Does the face turn away from the direction it should show?

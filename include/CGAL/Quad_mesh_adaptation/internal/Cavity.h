@@ -168,6 +168,8 @@ private:
   bool curves_in_order() const;
   bool keeps_surface_covered() const;
   bool keeps_distance() const;
+  bool is_within_bound_after() const;
+  Index hint_for(const Cavity_quad& q) const;
   double distance_after() const;
   bool has_parallel_edge() const;
   void count_corners();

@@ -20,8 +20,6 @@ namespace internal {
 class Distance_bound
 {
 public:
-  static constexpr int most_rounds = 4;
-
   // From now on the sizes of the state are limited, once start() has been called.
   Distance_bound(Adaptation_state& s, double allowed) : s_(s), allowed_(allowed)
   {
@@ -31,7 +29,7 @@ public:
     s.size = Size_sampler(
         [this, given = s.size](const Vec& p) {
           const double h = given.unscaled(p);
-          return limit_ ? (std::min)(h, (*limit_)(p)) : h;
+          return limit_ && h > limit_->least() ? (std::min)(h, (*limit_)(p)) : h;
         },
         0);
     s.size.sampling = sampling;
@@ -47,19 +45,16 @@ public:
   {
     if(!is_asked_for()) return;
     limit_ = std::make_unique<Distance_limit>(s_, allowed_);
-    s_.coverage.set_bound(allowed_);
-    s_.max_distance = allowed_;
-    refresh();
+    s_.limit_distance(allowed_);
+    renew_sizes();
   }
 
-  // Lowers the sizes where the faces are too far; false: nothing to do, or enough tried.
-  bool tighten()
+  // Sizes are those given again.
+  void lift()
   {
-    if(!is_asked_for() || rounds_ == most_rounds) return false;
-    ++rounds_;
-    if(!limit_->tighten(s_, Distance_measure(s_, 0.95 * allowed_))) return false;
-    refresh();
-    return true;
+    if(!is_asked_for()) return;
+    limit_.reset();
+    renew_sizes();
   }
 
   std::vector<Index> faces_too_far() const
@@ -75,20 +70,16 @@ public:
   bool is_asked_for() const { return std::isfinite(allowed_); }
 
 private:
-  // What hangs on the sizes.
-  void refresh()
+  void renew_sizes()
   {
     for(Index v = 0; v < s_.mesh.vertex_end(); ++v)
       if(s_.mesh.is_vertex(v)) s_.mesh.vertex(v).h = s_.size.at(s_.mesh.point(v));
     s_.forget_sizes();
-    s_.coverage.forget();
-    s_.disturb_all();
   }
 
   Adaptation_state& s_;
   double allowed_;
   std::unique_ptr<Distance_limit> limit_;
-  int rounds_ = 0;
 };
 
 } // namespace internal

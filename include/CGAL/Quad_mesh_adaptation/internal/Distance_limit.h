@@ -23,24 +23,27 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // The largest size that keeps faces within a distance of the reference surface, as values at its
-// vertices: at first from its curvature and that of the curves (the middle of a face of edge h is
-// h^2 (|k1| + |k2|) / 8 below the surface), later lowered where that did not do.
+// vertices: from its curvature and that of the curves (the middle of a face of edge h is
+// h^2 (|k1| + |k2|) / 8 below the surface).
 class Distance_limit
 {
 public:
   Distance_limit(const Adaptation_state& s, double allowed)
-      : surface_(s.surface), allowed_(allowed), cell_(2 * mean_edge(s.surface)),
-        limit_(s.surface.points().size(), (std::numeric_limits<double>::infinity)()),
-        least_(limit_.size(), 0.)
+      : surface_(s.surface), allowed_(allowed), cell_(0.5 * mean_edge(s.surface)),
+        limit_(s.surface.points().size(), (std::numeric_limits<double>::infinity)())
   {
     if(!surface_.is_planar()) {
-      const std::vector<double> k = Smooth_surface(surface_, Hermite_edges()).curvatures();
+      const std::vector<double> k = Smooth_surface(surface_, Hermite_edges()).curvatures(),
+                                side = facet_sides();
       for(std::size_t v = 0; v < k.size(); ++v)
-        if(k[v] > 0) limit_[v] = size_for(k[v]);
+        if(k[v] > 0) limit_[v] = size_for(k[v], side[v]);
     }
     for(const Feature_curve& c : s.curves) bound_on_curve(c);
     grade();
   }
+
+  // No value is below this.
+  double least() const { return least_of_all_; }
 
   double operator()(const Vec& p) const
   {
@@ -57,46 +60,38 @@ public:
     return (1 - w1 - w2) * limit_[v[0]] + w1 * limit_[v[1]] + w2 * limit_[v[2]];
   }
 
-  // Lowers the sizes at the faces that are farther than allowed, and a little at those that are
-  // nearly so; false if no face is too far.
-  bool tighten(const Adaptation_state& s, const Distance_measure& far)
+private:
+  // Faces smaller than the flat facets of the surface, of this side, meet its whole turn at once
+  // where they lie across two of them: their middle is h t / 4 off, with t = curvature * side.
+  double size_for(double curvature, double side) const
   {
-    const Quad_complex& m = s.mesh;
-    std::vector<double> wanted(m.face_end(), (std::numeric_limits<double>::infinity)());
-    bool any = false;
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f) || far.of(f) <= 0.95 * allowed_) continue;
-      any = any || far.of(f) > allowed_;
-      const Corners p = s.corners(f);
-      wanted[f] = mean_edge_length(p) * (std::max)(0.4, std::sqrt(0.8 * allowed_ / far.of(f)));
-      const Vec centre = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-      for(int i = 0; i < 4; ++i) { // near the middle of each edge, where curves are missed
-        const Vec q = 0.5 * (0.9 * (p[i] + p[(i + 1) & 3]) + 0.2 * centre);
-        for(Index v : surface_.triangles()[triangle_at(q)]) lower(v, wanted[f]);
+    const double h = std::sqrt(8 * allowed_ / curvature);
+    return 0.92 * (std::min)(h, 1.5 * h * h / (2 * side));
+  }
+
+  // Mean side of the squares that two triangles make, by vertex; zero where faces are lifted to a
+  // smooth surface.
+  std::vector<double> facet_sides() const
+  {
+    std::vector<double> area(limit_.size(), 0.), sides(limit_.size(), 0.);
+    if(surface_.has_lift()) return sides;
+    for(Index t = 0; t < Index(surface_.number_of_triangles()); ++t) {
+      const std::array<Vec, 3> c = surface_.triangle(t);
+      for(Index v : surface_.triangles()[t]) {
+        area[v] += norm(cross(c[1] - c[0], c[2] - c[0])); // of two
+        sides[v] += 1;
       }
     }
-    if(!any) return false;
-    for(std::size_t v = 0; v < limit_.size(); ++v) {
-      const Index f = far.face_below(Index(v));
-      if(f >= 0) lower(Index(v), wanted[f]);
-    }
-    grade();
-    return true;
+    for(std::size_t v = 0; v < sides.size(); ++v)
+      if(sides[v] > 0) sides[v] = std::sqrt(area[v] / sides[v]);
+    return sides;
   }
 
-private:
-  double size_for(double curvature) const { return 0.92 * std::sqrt(8 * allowed_ / curvature); }
-
-  // At most to half of what was first thought enough: where a curve of the input has no counterpart
-  // in the reference, or the reference is rough, small faces do not help.
-  void lower(Index v, double wanted)
+  void grade()
   {
-    if(!(wanted < limit_[v])) return;
-    if(least_[v] == 0) least_[v] = 0.5 * (std::min)(limit_[v], 2 * wanted);
-    limit_[v] = (std::max)(wanted, (std::min)(least_[v], limit_[v]));
+    limit_slope(surface_.points(), surface_.triangles(), 0.3, limit_);
+    least_of_all_ = *std::min_element(limit_.begin(), limit_.end());
   }
-
-  void grade() { limit_slope(surface_.points(), surface_.triangles(), 0.5, limit_); }
 
   // The triangle near p, walking from the one nearest to the centre of p's cell: quick, and the
   // same whatever was asked before.
@@ -151,15 +146,14 @@ private:
       const Vec a = p[i] - p[i == 0 ? n - 1 : i - 1], b = p[i + 1] - p[i];
       const double turn = std::atan2(norm(cross(a, b)), a * b);
       if(turn < 1e-9) continue;
-      const double h = size_for(2 * turn / (norm(a) + norm(b)));
+      const double side = (norm(a) + norm(b)) / 2, h = size_for(turn / side, side);
       for(Index v : surface_.triangles()[triangle_at(p[i])]) limit_[v] = (std::min)(limit_[v], h);
     }
   }
 
   const Reference_surface& surface_;
-  double allowed_, cell_;
+  double allowed_, cell_, least_of_all_ = 0;
   std::vector<double> limit_;       // infinite: none
-  std::vector<double> least_;       // once lowered
   mutable std::shared_mutex mutex_; // of the triangles near the centres of cells
   mutable std::unordered_map<std::array<std::int64_t, 3>, Index, Hash> starts_;
 };

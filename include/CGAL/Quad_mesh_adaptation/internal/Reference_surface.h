@@ -109,6 +109,14 @@ public:
   }
   Vec project(const Vec& p, Index& hint) const { return place(p, hint).point; }
 
+  // Is the surface no farther than d from p, looked for from triangle `hint` on?  Takes the first
+  // triangle that is near enough, which saves most of the way to the nearest.
+  bool is_within(const Vec& p, double d, Index& hint) const
+  {
+    if(planar_ || lift_ || hint < 0) return distance(p, project(p, hint)) <= d;
+    return (p - walk(p, hint, d * d)).squared_length() <= d * d;
+  }
+
   // The point of the surface above a point of triangle t.
   Vec lifted(const Vec& foot, Index t) const { return lift_ ? lift_(foot, t).point : foot; }
 
@@ -186,13 +194,14 @@ private:
     return found.point;
   }
 
-  Vec walk(const Vec& p, Index& t) const
+  // To the nearest point from triangle t, or to the first whose squared distance is near enough.
+  Vec walk(const Vec& p, Index& t, double near_enough = 0) const
   {
     const Index start = t;
     auto here = closest_on_triangle(p, triangle(t));
     double d = (p - here.point).squared_length();
     for(int step = 0; step < 200; ++step) {
-      if(here.feature == Triangle_feature::inside) return here.point;
+      if(here.feature == Triangle_feature::inside || d <= near_enough) return here.point;
       const Index next = better_neighbour(p, t, start, here, d);
       if(next < 0) return here.point;
       t = next;

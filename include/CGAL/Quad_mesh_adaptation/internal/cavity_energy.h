@@ -136,7 +136,7 @@ inline bool Cavity::keeps_shape(double least) const
 
 inline bool Cavity::keeps_distance() const
 {
-  if(!is_distance_limited(s_)) return true;
+  if(!is_distance_limited(s_) || is_within_bound_after()) return true;
   const double after = distance_after();
   if(after <= s_.max_distance) return true;
   double before = 0;
@@ -144,15 +144,43 @@ inline bool Cavity::keeps_distance() const
   return after <= before;
 }
 
+// At the middles of the quads and of the edges between them.
+inline bool Cavity::is_within_bound_after() const
+{
+  const double bound = s_.max_distance;
+  for(const Cavity_quad& q : quads) {
+    const Corners p = corners_of(q);
+    Index hint = hint_for(q);
+    if(!s_.surface.is_planar() &&
+       !s_.surface.is_within(0.25 * (p[0] + p[1] + p[2] + p[3]), bound, hint))
+      return false;
+    for(int i = 0; i < 4; ++i) {
+      const int a = q.v[i], b = q.v[(i + 1) & 3];
+      if(q.curve[i] >= 0) {
+        if(distance_of_edge(s_, q.curve[i], nodes[a], ids[a], nodes[b], ids[b]) > bound)
+          return false;
+      } else if(a < b && !s_.surface.is_within(0.5 * (nodes[a].p + nodes[b].p), bound, hint)) {
+        return false; // edges inside have a quad on either side
+      }
+    }
+  }
+  return true;
+}
+
+// A triangle of the surface near a quad.
+inline Index Cavity::hint_for(const Cavity_quad& q) const
+{
+  for(int v : q.v)
+    if(nodes[v].carrier == Carrier::surface && nodes[v].hint >= 0) return nodes[v].hint;
+  return s_.triangle_near(q.parent, nodes[q.v[0]].p);
+}
+
 inline double Cavity::distance_after() const
 {
   double largest = 0;
   for(const Cavity_quad& q : quads) {
     const Corners p = corners_of(q);
-    Index hint = -1;
-    for(int v : q.v)
-      if(nodes[v].carrier == Carrier::surface) hint = nodes[v].hint;
-    if(hint < 0) hint = s_.triangle_near(q.parent, p[0]);
+    const Index hint = hint_for(q);
     largest = (std::max)(largest, distance_of_face(s_, p, hint));
     for(int i = 0; i < 4; ++i) {
       const int a = q.v[i], b = q.v[(i + 1) & 3];

@@ -46,6 +46,10 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double expected_faces(const Adaptation_state
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_default_schedule(Adaptation_state& s,
                                                               std::size_t max_iterations);
 
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void keep_within_distance(Adaptation_state& s);
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void keep_sizes_within_distance(Adaptation_state& s);
+
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_paper_schedule(Adaptation_state& s,
                                                             std::size_t max_iterations);
 

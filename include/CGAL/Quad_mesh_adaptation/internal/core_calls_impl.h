@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
+#include <CGAL/Quad_mesh_adaptation/internal/distance_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/expected_count.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/paper_schedule.h>
@@ -47,6 +48,16 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_default_schedule(Adaptation_state& 
                                                               std::size_t max_iterations)
 {
   progressive_schedule(s, max_iterations);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void keep_within_distance(Adaptation_state& s)
+{
+  mend_distances(s, Improvement_options());
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void keep_sizes_within_distance(Adaptation_state& s)
+{
+  enforce_sizes_within_bound(s, Improvement_options());
 }
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_paper_schedule(Adaptation_state& s,

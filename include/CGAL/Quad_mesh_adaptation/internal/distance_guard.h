@@ -58,7 +58,52 @@ inline double distance_of_edge(const Adaptation_state& s, Index curve, const Ver
   return largest;
 }
 
-// The same for face f of the mesh.
+// At half-edge h of the mesh: of a curve, or of the middle from the surface.
+inline double distance_of_edge(const Adaptation_state& s, Index h)
+{
+  const Quad_complex& m = s.mesh;
+  const Index a = m.origin(h), b = m.target(h);
+  if(m.curve(h) >= 0) return distance_of_edge(s, m.curve(h), m.vertex(a), a, m.vertex(b), b);
+  Index hint = s.triangle_near(m.face(h), m.point(a));
+  const Vec middle = 0.5 * (m.point(a) + m.point(b));
+  return distance(middle, s.surface.project(middle, hint));
+}
+
+// Are the middle of face f and those of its edges at half-edge h and the one before it no farther
+// from the reference than allowed?
+inline bool is_within_bound(const Adaptation_state& s, Index h)
+{
+  const Quad_complex& m = s.mesh;
+  const Index f = m.face(h);
+  const Corners p = s.corners(f);
+  Index hint = s.triangle_near(f, p[h & 3]);
+  if(!s.surface.is_planar() &&
+     !s.surface.is_within(0.25 * (p[0] + p[1] + p[2] + p[3]), s.max_distance, hint))
+    return false;
+  for(Index g : { h, m.prev(h) }) {
+    const Index a = m.origin(g), b = m.target(g);
+    const Vec middle = 0.5 * (m.point(a) + m.point(b));
+    if(m.curve(g) >= 0
+           ? distance_of_edge(s, m.curve(g), m.vertex(a), a, m.vertex(b), b) > s.max_distance
+           : !s.surface.is_within(middle, s.max_distance, hint))
+      return false;
+  }
+  return true;
+}
+
+// All of these about vertex v, all that a move of v changes.
+inline bool is_within_bound_about(const Adaptation_state& s, Index v)
+{
+  const Index start = s.mesh.vertex(v).halfedge;
+  Index h = start;
+  do {
+    if(!is_within_bound(s, h)) return false;
+    h = s.mesh.turn_left(h);
+  } while(h >= 0 && h != start);
+  return true;
+}
+
+// The largest distance of face f of the mesh.
 inline double distance_of(const Adaptation_state& s, Index f)
 {
   const Quad_complex& m = s.mesh;
@@ -87,7 +132,7 @@ inline double distance_about(const Adaptation_state& s, Index v)
 // Has the move of vertex v from `old` taken a face farther off than allowed and than any was?
 inline bool leaves_reference(Adaptation_state& s, Index v, const Vertex_record& old)
 {
-  if(!is_distance_limited(s)) return false;
+  if(!is_distance_limited(s) || is_within_bound_about(s, v)) return false;
   const double now = distance_about(s, v);
   if(now <= s.max_distance) return false;
   Vertex_record& r = s.mesh.vertex(v);

@@ -151,19 +151,22 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     geometry.reference = reference ? &*reference : nullptr;
     build_state(in, features, geometry, s);
     count_features(s, report);
-    bound.start();
     report.before = measured_state(s, reference);
-    refuse_too_many(report.before.ideal_number_of_faces);
     advise_on_sizes(in, s.size, report);
+    bound.start();
+    const double ideal = bound.is_asked_for() ? measured_state(s, reference).ideal_number_of_faces
+                                              : report.before.ideal_number_of_faces;
+    refuse_too_many(ideal);
     if(is_default)
       report.expected_number_of_faces =
-          expected_faces(s, report.before.ideal_number_of_faces,
-                         report.size_growth.mean_square_slope, scale_of(aim));
+          expected_faces(s, ideal, report.size_growth.mean_square_slope, scale_of(aim));
     const bool may_mirror = is_default && decode_symmetry(np) && !bound.is_asked_for();
     adapt_state(
-        in, features, geometry, may_mirror, aim, report.before.ideal_number_of_faces,
+        in, features, geometry, may_mirror, aim, ideal,
         [&](Adaptation_state& part) { algorithm(part, report); }, s);
-    while(bound.tighten()) algorithm(s, report);
+    keep_within_distance(s);
+    bound.lift();
+    keep_sizes_within_distance(s);
     report.after = measured_state(s, reference);
     s.report_progress(1);
     report.iterations = s.iterations;

@@ -29,9 +29,23 @@ inline std::vector<Index> faces_to_press(const Adaptation_state& s)
   return list;
 }
 
-// The last resort: faces still too large get the pair of edges that is longest against the size
-// split, wherever the T-join then leads the splits, within `rings` rings of faces.
-inline std::size_t split_within(Adaptation_state& s, const std::vector<Index>& faces, int rings)
+// The longer pair of opposite edges of a face.
+inline std::vector<Index> longer_edges(const Adaptation_state& s, Index f)
+{
+  const Quad_complex& m = s.mesh;
+  const auto length = [&](int i) {
+    return distance(m.point(m.origin(4 * f + i)), m.point(m.target(4 * f + i)));
+  };
+  const Index first = 4 * f + (length(0) + length(2) >= length(1) + length(3) ? 0 : 1);
+  return { first, first + 2 };
+}
+
+using Edges_of_face = std::vector<Index> (*)(const Adaptation_state&, Index);
+
+// The last resort: faces still too large get the pair of edges that is longest split, or those that
+// `edges_to_cut` names, wherever the T-join then leads the splits, within `rings` rings of faces.
+inline std::size_t split_within(Adaptation_state& s, const std::vector<Index>& faces, int rings,
+                                Edges_of_face edges_to_cut)
 {
   Marking_options o;
   o.threshold = 1.4; // others only where they are far too long
@@ -46,23 +60,19 @@ inline std::size_t split_within(Adaptation_state& s, const std::vector<Index>& f
   for(Index h = 0; h < 4 * m.face_end(); ++h)
     if(m.is_face(m.face(h)) && near[m.origin(h)] && near[m.target(h)] && low(h) == h)
       wish[h] = split_wish(s, o, h);
-  for(Index f : faces) {
-    const auto length = [&](int i) {
-      return distance(m.point(m.origin(4 * f + i)), m.point(m.target(4 * f + i)));
-    };
-    const int first = length(0) + length(2) >= length(1) + length(3) ? 0 : 1;
-    for(int i : { first, first + 2 })
-      if(std::isfinite(wish[low(4 * f + i)])) wish[low(4 * f + i)] = -20;
-  }
+  for(Index f : faces)
+    for(Index h : edges_to_cut(s, f))
+      if(std::isfinite(wish[low(h)])) wish[low(h)] = -20;
   const std::vector<char> split = even_marks(m, wish, o.bend);
   return split.empty() ? 0 : Split_templates(s, split)();
 }
 
 // In the whole mesh only where the neighbourhood is too small for it.
-inline std::size_t split_too_large(Adaptation_state& s, const std::vector<Index>& faces)
+inline std::size_t split_too_large(Adaptation_state& s, const std::vector<Index>& faces,
+                                   Edges_of_face edges_to_cut = longer_edges)
 {
-  const std::size_t cut = split_within(s, faces, 12);
-  return cut > 0 ? cut : split_within(s, faces, s.mesh.face_end());
+  const std::size_t cut = split_within(s, faces, 12, edges_to_cut);
+  return cut > 0 ? cut : split_within(s, faces, s.mesh.face_end(), edges_to_cut);
 }
 
 // Smoothing about some faces, and nowhere else unless it spreads from there.

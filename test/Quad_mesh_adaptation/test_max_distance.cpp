@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// max_distance(): no face is farther from the reference than asked, by all that the report measures
+// and by points of the faces against all triangles of the input.
+
+#include "support/feature_checks.h"
+#include "support/more_shapes.h"
+#include "support/zoo_mesh.h"
+
+#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/adapt_quad_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace {
+
+namespace QMA = CGAL::Quad_mesh_adaptation;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using QMA::Adaptation_report;
+using shape_zoo::Quad;
+using shape_zoo::Shape;
+using shape_zoo::Vec;
+
+Shape read(const std::string& name)
+{
+  Mesh mesh;
+  const auto result =
+      QMA::read_quad_mesh(std::string(QUAD_MESH_DATA_DIR "/meshes/") + name + ".off", mesh);
+  EXPECT_TRUE(result.ok()) << result.message;
+  Shape s = zoo_mesh::shape_of(mesh);
+  s.name = name;
+  return s;
+}
+
+double off_shape(const Vec& p, const Shape& of)
+{
+  double least = 1e9;
+  const auto& c = of.points;
+  for(const Quad& q : of.quads)
+    for(int i = 0; i < 4; ++i) // cut either way: at least as near as the way that counts
+      least = (std::min)(least, feature_checks::distance_to_triangle(p, c[q[i]], c[q[(i + 1) & 3]],
+                                                                     c[q[(i + 2) & 3]]));
+  return least;
+}
+
+// Of the middles of faces and edges.
+double farthest_middle(const Shape& s, const Shape& of)
+{
+  double largest = 0;
+  for(const Quad& q : s.quads) {
+    const Vec a = s.points[q[0]], b = s.points[q[1]], c = s.points[q[2]], d = s.points[q[3]];
+    largest = (std::max)({ largest, off_shape(0.25 * (a + b + c + d), of),
+                           off_shape(0.5 * (a + b), of), off_shape(0.5 * (c + d), of) });
+  }
+  return largest;
+}
+
+Adaptation_report expect_within(const Shape& shape, double factor, double part)
+{
+  SCOPED_TRACE(shape.name + ", " + std::to_string(part) + " edges");
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
+  const double edge = zoo_mesh::mean_edge(shape), bound = part * edge;
+  const Adaptation_report report =
+      QMA::adapt_quad_mesh(factor * edge, mesh, QMA::max_distance(bound));
+  EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_met) << report.message;
+  EXPECT_TRUE(report.faces_too_far.empty());
+  EXPECT_LE(report.after.mesh_to_reference, bound);
+  EXPECT_LE(report.after.reference_to_mesh, bound);
+  EXPECT_EQ(report.after.strict_size_ratio.percent_not_larger(), 100);
+  EXPECT_GT(report.after.min_scaled_jacobian, 0.2);
+  mesh.collect_garbage();
+  zoo_mesh::expect_valid(mesh, mesh_checks::facts_of(shape.points, shape.quads));
+  if(report.after.faces < 1500) {
+    EXPECT_LE(farthest_middle(zoo_mesh::shape_of(mesh), shape), bound);
+  }
+  return report;
+}
+
+} // namespace
+
+TEST(Max_distance, OnShapes)
+{
+  for(const Shape& shape :
+      { shape_zoo::sphere(), shape_zoo::torus(), shape_zoo::saddle(), shape_zoo::open_cylinder(),
+        more_shapes::closed_cylinder(6), more_shapes::two_spheres(6, 0.02) })
+    for(double part : { 0.3, 0.1, 0.03 }) expect_within(shape, 2, part);
+}
+
+TEST(Max_distance, OnMeshesByOthers)
+{
+  for(const char* name : { "spot", "pawn", "cylinder_hex", "box_cylinder" })
+    expect_within(read(name), 2, 0.1);
+}
+
+// A bound that asks for nothing changes little, and one that does takes more faces.
+TEST(Max_distance, TakesFacesWhereItMust)
+{
+  const Shape torus = shape_zoo::torus();
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(torus);
+  const auto free = QMA::adapt_quad_mesh(2 * zoo_mesh::mean_edge(torus), mesh);
+  const std::size_t loose = expect_within(torus, 2, 1).after.faces,
+                    tight = expect_within(torus, 2, 0.1).after.faces,
+                    tighter = expect_within(torus, 2, 0.05).after.faces;
+  EXPECT_NEAR(double(loose) / double(free.after.faces), 1, 0.3);
+  EXPECT_GT(tight, 4 * loose);
+  EXPECT_GT(tighter, tight);
+}
+
+// A flat surface with straight borders asks for nothing.
+TEST(Max_distance, OnAPlane)
+{
+  const Shape plate = shape_zoo::plate(12, 12);
+  EXPECT_LT(expect_within(plate, 3, 1e-6).after.faces, 30u);
+}
