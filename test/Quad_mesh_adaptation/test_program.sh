@@ -135,6 +135,9 @@ expect 0 '' bent.off bent_48.off --curvature 48 --max-size 1 --gradation 0.3 --q
 [ "$((2 * $(faces bent_48.off)))" -gt "$((3 * $(faces bent_12.off)))" ] || fail "--curvature has no effect"
 expect 0 '' bent.off chord.off --chord-error 0.01 --max-size 1 --quiet
 [ "$(faces chord.off)" -gt 32 ] || fail "--chord-error has no effect"
+expect 0 '' bent.off within.off --size 1 --max-distance 0.01 --report report.json
+grep -q '"faces_too_far": \[\]' report.json || fail "faces are farther than --max-distance"
+[ "$(faces within.off)" -gt 32 ] || fail "--max-distance has no effect"
 expect 0 '' bent.off across.off --proximity 3 --max-size 0.7 --quiet
 # only a region, or all but the border
 centres() { awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2 { x[NR - 3] = $1 }
