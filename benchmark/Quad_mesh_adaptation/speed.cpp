@@ -61,8 +61,6 @@ std::vector<Task> all_tasks(const std::vector<Shape>& shapes, int highest,
   if(has_gmsh(scratch))
     for(int level = 3; level <= (std::min)(highest, 5); ++level)
       tasks.push_back(gmsh_task(shapes.front(), level, scratch));
-  else
-    std::cerr << "gmsh is not on the PATH: left out\n";
   return tasks;
 }
 
@@ -168,6 +166,7 @@ int main(int argc, char** argv)
     const std::vector<Shape> shapes = all_shapes();
     const bool is_child = !memory_task.empty();
     std::vector<Task> tasks = all_tasks(shapes, is_large || is_child ? 7 : 5, scratch);
+    if(!is_child && !has_gmsh(scratch)) std::cerr << "gmsh is not on the PATH: left out\n";
     const auto is_wanted = [&](const Task& t) {
       if(is_child) return t.name() == memory_task;
       return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& text) {
