@@ -121,6 +121,30 @@ TEST(Curve_bends, FoundAgain)
   EXPECT_EQ(state_checks::problem_of(s, before, true), "");
 }
 
+// A curve with just a node for every bend gets one each, also where two bends are nearest to the
+// same node, and whatever the size is.
+TEST(Curve_bends, ANodeForEach)
+{
+  for(double factor : { 0.6, 1., 1.8 }) {
+    Adaptation_state s = rim_state(factor);
+    const double length = length_of_creases(s);
+    for(Index v = 0; v < s.mesh.vertex_end(); ++v) { // by 0.2 to 0.6 of an edge
+      core::Vertex_record& r = s.mesh.vertex(v);
+      if(!s.mesh.is_vertex(v) || r.carrier != Carrier::curve) continue;
+      const Feature_curve& c = s.curves[r.curve];
+      const double way = 0.4 + 0.2 * std::cos(2 * pi * r.param / c.length());
+      r.param = std::fmod(r.param + way * c.length() / 16, c.length());
+      s.place(r);
+    }
+    s.forget_faces();
+    ASSERT_LT(length_of_creases(s), 0.99 * length);
+    const state_checks::Snapshot before = state_checks::snapshot(s);
+    EXPECT_EQ(int(Curve_bends(s).fit()), number_of_bends(s)) << factor;
+    EXPECT_NEAR(length_of_creases(s), length, 1e-12 * length) << factor;
+    EXPECT_EQ(state_checks::problem_of(s, before, true), "");
+  }
+}
+
 // Two faces on either side cost nothing, one and three do.
 TEST(Crease_sides, CountedByPatch)
 {

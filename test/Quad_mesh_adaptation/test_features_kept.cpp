@@ -95,9 +95,7 @@ void expect_kept(const Shape& s, double factor)
   for(Index v : given.corners)
     EXPECT_EQ(std::count(m.shape.points.begin(), m.shape.points.end(), s.points[v]), 1);
   EXPECT_EQ(found.corners.size(), given.corners.size());
-  // where a few more edges than given do, nodes reach all bends only if these are evenly spaced
-  const bool is_uneven = s.name == "saddle" || s.name == "rotated_ellipse_with_subregions";
-  if(factor < (is_uneven ? 0.72 : 1)) {
+  if(factor < 1) {
     EXPECT_NEAR(found.length, given.length, 1e-3 * given.length);
   } else {
     EXPECT_LE(found.length, (1 + 1e-9) * given.length);

@@ -86,17 +86,19 @@ public:
     return held;
   }
 
-  // Moves the nodes nearest to bends there, and holds them, where edges are much shorter than those
-  // of the polyline, or at all shorter and there is a node for every bend.  Returns how many there
-  // are.
+  // Moves nodes to the bends, and holds them, where edges are much shorter than those of the
+  // polyline, or at all shorter and there is a node for every bend, or the curve has no fewer edges
+  // than the polyline.  Returns how many there are.
   std::size_t fit()
   {
     constexpr double certainly = 1.6, where_all_do = 0.8;
     std::vector<Move> moves;
     for_each_bend([&](const Curve_bend& b, Index v, double way) {
       Vertex_record& r = s_.mesh.vertex(v);
-      if(r.frozen || b.shorter < (has_node_for_each(r.curve) ? where_all_do : certainly) * r.h ||
-         std::abs(way) > 0.5 * b.shorter || b.loss(r.h) < curve_loss_allowed)
+      const double least =
+          is_coarsened(r.curve) ? (has_node_for_each(r.curve) ? where_all_do : certainly) : 0;
+      if(r.frozen || b.shorter < least * r.h || std::abs(way) > b.mean_length ||
+         b.loss(r.h) < curve_loss_allowed)
         return;
       r.frozen = true;
       moves.push_back({ v, b.arc });
@@ -123,26 +125,115 @@ private:
 
   double param(Index v) const { return s_.mesh.vertex(v).param; }
 
-  // Tells of every bend its nearest node and the way from there to the bend.
+  std::size_t number_of_edges(Index curve) const
+  {
+    return nodes_[curve].size() + (s_.curves[curve].is_closed() ? 0 : 1);
+  }
+
+  bool is_coarsened(Index curve) const
+  {
+    return number_of_edges(curve) + 1 < s_.curves[curve].points().size();
+  }
+
+  // Tells of every bend its node and the way from there to the bend.
   template <typename Visit>
   void for_each_bend(const Visit& visit)
   {
-    for(std::size_t c = 0; c < bends_.size(); ++c) {
-      const std::vector<Index>& nodes = nodes_[c];
-      if(nodes.empty()) continue;
-      for(const Curve_bend& b : bends_[c]) {
-        const std::size_t after =
-            std::size_t(std::lower_bound(nodes.begin(), nodes.end(), b.arc,
-                                         [&](Index v, double a) { return param(v) < a; }) -
-                        nodes.begin());
-        const Index u = nodes[(after + nodes.size() - 1) % nodes.size()];
-        const Index v = nodes[after % nodes.size()];
-        const double to_u = s_.curves[c].difference(param(u), b.arc),
-                     to_v = s_.curves[c].difference(param(v), b.arc);
-        const bool first = std::abs(to_u) < std::abs(to_v);
-        visit(b, first ? u : v, first ? to_u : to_v);
+    for(Index c = 0; c < Index(bends_.size()); ++c) {
+      if(nodes_[c].empty()) continue;
+      const std::vector<std::size_t> share =
+          has_node_for_each(c) ? one_node_each(c) : nearest_nodes(c);
+      for(std::size_t i = 0; i < share.size(); ++i) {
+        const Index v = nodes_[c][share[i]];
+        visit(bends_[c][i], v, s_.curves[c].difference(param(v), bends_[c][i].arc));
       }
     }
+  }
+
+  // Where a bend lies between the nodes, as a fractional number of node; up to 1 before the first
+  // and behind the last.
+  double place_among_nodes(Index c, double arc) const
+  {
+    const std::vector<Index>& nodes = nodes_[c];
+    const std::size_t n = nodes.size();
+    const std::size_t after =
+        std::size_t(std::lower_bound(nodes.begin(), nodes.end(), arc,
+                                     [&](Index v, double a) { return param(v) < a; }) -
+                    nodes.begin());
+    const Feature_curve& curve = s_.curves[c];
+    const bool beyond = after == 0 || after == n;
+    if(beyond && !curve.is_closed()) return after == 0 ? 0. : double(n - 1);
+    const double to = std::abs(curve.difference(arc, param(nodes[after % n]))),
+                 from = std::abs(curve.difference(arc, param(nodes[(after + n - 1) % n])));
+    return double(after) - (to > 0 ? to / (to + from) : 0.);
+  }
+
+  std::vector<std::size_t> nearest_nodes(Index c) const
+  {
+    const std::size_t n = nodes_[c].size();
+    std::vector<std::size_t> share;
+    for(const Curve_bend& b : bends_[c])
+      share.push_back(std::size_t(std::lround(place_among_nodes(c, b.arc)) + long(n)) % n);
+    return share;
+  }
+
+  // A node of its own for every bend, in order, as near as they come in the sense of least squares
+  // of their numbers: isotonic regression of the places less the numbers of the bends, by pooling
+  // of adjacent violators.  A closed curve is cut in its longest part without bends.
+  std::vector<std::size_t> one_node_each(Index c) const
+  {
+    const std::size_t n = nodes_[c].size(), m = bends_[c].size();
+    const bool closed = s_.curves[c].is_closed();
+    std::vector<double> place;
+    for(const Curve_bend& b : bends_[c]) place.push_back(place_among_nodes(c, b.arc));
+    const std::size_t first = closed ? after_longest_gap(place, double(n)) : 0;
+    std::vector<Pool> pools;
+    for(std::size_t i = 0; i < m; ++i) {
+      const std::size_t j = (first + i) % m;
+      pools.push_back({ place[j] + (first + i < m ? 0. : double(n)) - double(i), 1 });
+      while(pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+        pools[pools.size() - 2].add(pools.back());
+        pools.pop_back();
+      }
+    }
+    std::vector<std::size_t> share(m);
+    std::size_t i = 0;
+    const long slack = long(n) - long(m);
+    // of a closed curve the last may not meet the first
+    const long least = closed ? std::lround(pools.front().mean()) : 0;
+    for(const Pool& p : pools)
+      for(std::size_t k = 0; k < p.number; ++k, ++i) {
+        const long offset = (std::min)((std::max)(std::lround(p.mean()), least), least + slack);
+        share[(first + i) % m] = std::size_t(offset + long(i) + long(n)) % n;
+      }
+    return share;
+  }
+
+  struct Pool
+  {
+    double sum;
+    std::size_t number;
+
+    double mean() const { return sum / double(number); }
+    void add(const Pool& p)
+    {
+      sum += p.sum;
+      number += p.number;
+    }
+  };
+
+  static std::size_t after_longest_gap(const std::vector<double>& place, double around)
+  {
+    std::size_t best = 0;
+    double longest = -1;
+    for(std::size_t i = 0; i < place.size(); ++i) {
+      const double gap = i == 0 ? place[0] + around - place.back() : place[i] - place[i - 1];
+      if(gap > longest) {
+        longest = gap;
+        best = i;
+      }
+    }
+    return best;
   }
 
   // Moves a node towards its bend as far as the faces about it allow; is it there?

@@ -219,7 +219,11 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
   }
   s.progress = 0.9;
   if(Curve_bends(s).fit() > 0 && use.local_operations) polish(s, clean, 1, 0);
-  if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
+  if(use.last_resorts) {
+    enforce_sizes_and_shapes(s, clean);
+    // curves whose edges have been split can have gained a node for every bend
+    if(Curve_bends(s).fit() > 0) enforce_sizes_and_shapes(s, clean);
+  }
   release_bends(s);
 }
 
