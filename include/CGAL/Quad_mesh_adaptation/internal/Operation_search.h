@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_SEARCH_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_SEARCH_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/operation_candidates.h>
+#include <CGAL/Quad_mesh_adaptation/internal/trial_limits.h>
 
 #include <algorithm>
 #include <utility>
@@ -43,6 +43,7 @@ public:
 
   Operation_proposal operator()(Index v)
   {
+    constexpr double far = 50;
     using Halo = Operation_proposal::Halo;
     Operation_proposal found;
     double best_change = options_.tolerance - s_.energy.min_gain;
@@ -51,13 +52,14 @@ public:
       candidates_.describe(c, *trial_);
       const bool wide = candidates_.relieves_crowd(c); // worth a look although it starts badly
       if(wide) trial_->add_halo();
-      const double reach = halo_gain(c.kind);
+      const Trial_limits limits = trial_limits(c.kind);
       Halo halo = wide ? Halo::at_once : Halo::none;
-      double change = try_cavity(best_change, wide ? 50 : reach);
-      if(!wide && change >= best_change && change < best_change + reach) {
+      double change = wide ? try_cavity(best_change, far, far)
+                           : try_cavity(best_change, limits.after_a_sweep, limits.for_a_halo);
+      if(!wide && change >= best_change && change < best_change + limits.for_a_halo) {
         trial_->add_halo(); // the nodes around may move, too
         halo = Halo::after_a_trial;
-        change = try_cavity(best_change, 0);
+        change = try_cavity(best_change, limits.after_a_sweep_with_halo, 0);
       }
       if(change >= best_change) continue;
       best_change = change;
@@ -88,8 +90,8 @@ public:
 
 private:
   // Change of energy, or more than any bound where it is not legal, or where an estimate is above
-  // `to_beat` by more than `reach`.
-  double try_cavity(double to_beat, double reach)
+  // `to_beat` by more than `early` after a sweep or by more than `reach` in the end.
+  double try_cavity(double to_beat, double early, double reach)
   {
     constexpr double refused = 1e300, error = 0.5; // of the estimate
     Cavity& c = *trial_;
@@ -98,8 +100,7 @@ private:
     for(int sweep = 0; sweep < options_.sweeps; ++sweep) {
       c.relax(1);
       const bool last = sweep + 1 == options_.sweeps;
-      const double allowed = last ? reach + error : (std::max)(reach, options_.sweep_below);
-      if(c.estimate_after() > hopeless + allowed) return refused;
+      if(c.estimate_after() > hopeless + (last ? reach + error : early)) return refused;
     }
     const double change = c.energy_after() - c.energy_before();
     if(!(change < to_beat)) return change;

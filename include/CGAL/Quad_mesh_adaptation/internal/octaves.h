@@ -81,6 +81,7 @@ inline int octaves_by_turn(const Adaptation_state& s, int most)
 struct Demand
 {
   double faces, slope;
+  double gentle = 0.3; // slope up to which a mesh is to be halved later
 
   explicit Demand(const Adaptation_state& s)
   {
@@ -91,10 +92,13 @@ struct Demand
       if(s.mesh.is_face(f)) meter.add(s.corners(f));
     faces = meter.faces();
     slope = std::sqrt(meter.result().mean_square_slope); // of all those faces
+    // in large meshes a half to four fifths of the time matter more than one face in fifty
+    constexpr double many = 20000;
+    if(faces * double(s.copies) >= many) gentle = 0.4;
   }
 
   // Can a mesh for twice the sizes still follow them?
-  bool is_gentle_doubled() const { return 2 * slope <= 0.3; }
+  bool is_gentle_doubled() const { return 2 * slope <= gentle; }
 
   void double_sizes()
   {

@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/crease_sides.h>
+#include <CGAL/Quad_mesh_adaptation/internal/energy_bounds.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/border_half_ring.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
@@ -27,7 +27,6 @@ struct Improvement_options
   bool keep_within_size = false; // no operation may leave a face above its size
   double min_jacobian = 0.5;     // no face may fall below min(this, worst before)
   int sweeps = 2;                // of the local relaxation
-  double sweep_below = 8;        // relax further only what is this close to a gain after one sweep
   double tolerance = 0;          // an operation may raise the energy by this much
   bool first_gain = false;       // the first operation that gains will do, else the best
   // Swaps and rotations are tried only where the valences gain this much: the others hardly ever
@@ -67,21 +66,6 @@ inline const char* operation_name(Operation_kind k)
   }
 }
 
-// Try again with more nodes free to move where a trial comes this close to a gain: what that
-// gains at most, but for one case in twenty.
-inline double halo_gain(Operation_kind k)
-{
-  switch(k) {
-  case Operation_kind::close:
-    return 3;
-  case Operation_kind::open:
-  case Operation_kind::rotate:
-    return 4;
-  default:
-    return 6;
-  }
-}
-
 struct Operation_candidate
 {
   Operation_kind kind;
@@ -94,7 +78,10 @@ struct Operation_candidate
 class Operation_candidates
 {
 public:
-  Operation_candidates(Adaptation_state& s, const Improvement_options& o) : s_(s), options_(o) {}
+  Operation_candidates(Adaptation_state& s, const Improvement_options& o)
+      : s_(s), options_(o), bounds_(s, o.max_valence)
+  {
+  }
 
   // The operations about node v that may lower the energy, the most promising first.
   const std::vector<Operation_candidate>& collect(Index v)
@@ -155,7 +142,7 @@ public:
   // Does the operation take a face from a node that has too many, by any standard?
   bool relieves_crowd(const Operation_candidate& c) const
   {
-    const auto crowded = [&](Index v) { return is_crowded(v); };
+    const auto crowded = [&](Index v) { return bounds_.is_crowded(v); };
     if(c.kind == Operation_kind::rotate) // all spokes of the node collected last
       return std::any_of(out_.begin(), out_.end(),
                          [&](Index h) { return crowded(s_.mesh.target(h)); });
@@ -164,46 +151,6 @@ public:
   }
 
 private:
-  bool is_crowded(Index v) const
-  {
-    const Vertex_record& r = s_.mesh.vertex(v);
-    return s_.images_at(r) * r.faces > options_.max_valence && r.faces > r.ideal_faces;
-  }
-
-  // Change of the valence term if v gets d more faces; of creases no more than can be.
-  double valence_change(Index v, int d) const
-  {
-    const Vertex_record& r = s_.mesh.vertex(v);
-    if(d == -1 && r.faces == 3 && r.carrier == Carrier::surface) // goes as a doublet
-      return -s_.valence_energy(3, r) - s_.energy.face - 2 * s_.energy.valence;
-    const int images = s_.images_at(r);
-    // at a mirror plane six may be a step on the way out of eight
-    const int most = images > 1 && relief_ ? 6 : options_.max_valence;
-    if(d > 0 && (images > 1 || !s_.mesh.is_border_vertex(v)) && images * (r.faces + d) > most)
-      return 1e6;
-    return s_.valence_energy(r.faces + d, r) - s_.valence_energy(r.faces, r) + side_change(v, d);
-  }
-
-  double side_change(Index v, int d) const
-  {
-    const int before = std::abs(side_difference(s_, v));
-    if(before == 0) return 0.;
-    return side_energy(s_, (std::max)(0, before - std::abs(d))) - side_energy(s_, before);
-  }
-
-  // What the shapes and sizes of the star of v cost above the bare faces.
-  double slack(Index v)
-  {
-    double sum = 0;
-    const Index start = s_.mesh.vertex(v).halfedge;
-    Index h = start;
-    do {
-      sum += s_.cached_energy(s_.mesh.face(h)) - s_.energy.face;
-      h = s_.mesh.turn_left(h);
-    } while(h >= 0 && h != start);
-    return sum;
-  }
-
   // Would v be left with too few faces if it lost one?
   bool loses_last(Index v) const
   {
@@ -223,13 +170,15 @@ private:
       const Index a = m.origin(h), b = m.target(h), c = m.target(n), e = m.origin(m.prev(h));
       const bool a_wins = carrier_rank(m.vertex(a)) >= carrier_rank(m.vertex(c));
       const Index w = a_wins ? a : c, l = a_wins ? c : a;
-      double bound = -s_.energy.face + valence_change(w, m.vertex(l).faces - 2) -
-                     s_.valence_energy(m.vertex(l).faces, m.vertex(l)) + valence_change(b, -1) +
-                     valence_change(e, -1);
+      double bound = -s_.energy.face + bounds_.valence_change(w, m.vertex(l).faces - 2) -
+                     s_.valence_energy(m.vertex(l).faces, m.vertex(l)) +
+                     bounds_.valence_change(b, -1) + bounds_.valence_change(e, -1);
       if(bound > 1e5) continue;
-      bound -= slack(a) + slack(c) - (s_.cached_energy(m.face(h)) - s_.energy.face);
-      if(bound < options_.tolerance - s_.energy.min_gain && is_face_close_allowed(s_, h))
-        add(Operation_kind::close, h, -1, bound);
+      bound -= bounds_.slack(a) + bounds_.slack(c) - (s_.cached_energy(m.face(h)) - s_.energy.face);
+      const double allowed = options_.tolerance - s_.energy.min_gain;
+      if(bound >= allowed) continue;
+      bound += bounds_.oversize_without(m.face(h), a, c);
+      if(bound < allowed && is_face_close_allowed(s_, h)) add(Operation_kind::close, h, -1, bound);
     }
   }
 
@@ -239,15 +188,15 @@ private:
     const int n = int(out_.size());
     if(n < 3) return;
     const bool border = m.is_border_vertex(v);
-    const double base = s_.energy.face - slack(v);
+    const double base = s_.energy.face - bounds_.slack(v);
     for(int i = 0; i < n; ++i)
       for(int sector = 2; sector < n; ++sector) {            // faces that the new node takes
         if(border ? i + sector >= n : sector > n - 2) break; // v keeps three faces, too
         const Index ha = out_[i], hb = out_[(i + sector) % n];
         const int fresh = sector + 1 - 4;
-        const double bound = base + s_.energy.valence * fresh * fresh +
-                             valence_change(v, 1 - sector) + valence_change(m.target(ha), 1) +
-                             valence_change(m.target(hb), 1);
+        const double bound =
+            base + s_.energy.valence * fresh * fresh + bounds_.valence_change(v, 1 - sector) +
+            bounds_.valence_change(m.target(ha), 1) + bounds_.valence_change(m.target(hb), 1);
         if(bound < options_.tolerance - s_.energy.min_gain && is_face_open_allowed(s_, ha, hb))
           add(Operation_kind::open, ha, hb, bound);
       }
@@ -259,18 +208,18 @@ private:
     for(Index h : out_) {
       if(!is_edge_swap_allowed(s_, h) || loses_last(v) || loses_last(m.target(h))) continue;
       const Index o = m.opposite(h), u = m.target(h);
-      relief_ = is_crowded(v) || is_crowded(u);
-      const double lost = valence_change(v, -1) + valence_change(u, -1);
+      const bool relief = bounds_.is_crowded(v) || bounds_.is_crowded(u);
+      const double lost = bounds_.valence_change(v, -1) + bounds_.valence_change(u, -1);
       const double slack =
           s_.cached_energy(m.face(h)) + s_.cached_energy(m.face(o)) - 2 * s_.energy.face;
       const auto propose = [&](Operation_kind kind, Index a, Index b) {
-        const double valences = lost + valence_change(a, 1) + valence_change(b, 1);
-        if(relief_ || valences < options_.tolerance - options_.valence_gain)
+        const double valences =
+            lost + bounds_.valence_change(a, 1, relief) + bounds_.valence_change(b, 1, relief);
+        if(relief || valences < options_.tolerance - options_.valence_gain)
           add(kind, h, -1, valences - slack);
       };
       propose(Operation_kind::swap_left, m.target(m.next(h)), m.target(m.next(o)));
       propose(Operation_kind::swap_right, m.origin(m.prev(h)), m.origin(m.prev(o)));
-      relief_ = false;
     }
   }
 
@@ -280,9 +229,10 @@ private:
     if(m.is_border_vertex(v)) return;
     double bound = 0;
     for(Index h : out_)
-      bound += valence_change(m.target(h), -1) + valence_change(m.target(m.next(h)), 1);
+      bound +=
+          bounds_.valence_change(m.target(h), -1) + bounds_.valence_change(m.target(m.next(h)), 1);
     if(bound >= options_.tolerance - options_.valence_gain) return;
-    bound -= slack(v);
+    bound -= bounds_.slack(v);
     if(bound < options_.tolerance - s_.energy.min_gain && is_vertex_rotation_allowed(s_, v))
       add(Operation_kind::rotate, v, -1, bound);
   }
@@ -292,8 +242,8 @@ private:
     const Quad_complex& m = s_.mesh;
     const Border_pair& b = pair_;
     const double ends = s_.cached_energy(m.face(b.left)) + s_.cached_energy(m.face(b.right));
-    const double split = 6 * s_.energy.face + 2 * s_.energy.valence + valence_change(b.p, 1) +
-                         valence_change(b.q, 1) - ends;
+    const double split = 6 * s_.energy.face + 2 * s_.energy.valence +
+                         bounds_.valence_change(b.p, 1) + bounds_.valence_change(b.q, 1) - ends;
     if(split < options_.tolerance - s_.energy.min_gain && is_border_split_allowed(s_, b))
       add(Operation_kind::border_split, b.v, -1, split);
     if(!is_half_ring_collapse_allowed(s_, b)) return;
@@ -304,9 +254,10 @@ private:
                                                          : b.v;
     const int faces = m.vertex(b.a).faces + m.vertex(b.c).faces + m.vertex(b.m).faces - 4;
     double collapse = -2 * s_.energy.face + s_.valence_energy(faces, m.vertex(keep)) - own(b.a) -
-                      own(b.c) - own(b.m) - (corner ? 0. : own(b.v)) + valence_change(b.p, -1) +
-                      valence_change(b.q, -1);
-    collapse -= slack(b.a) + slack(b.c) + slack(b.m) - (ends - 2 * s_.energy.face);
+                      own(b.c) - own(b.m) - (corner ? 0. : own(b.v)) +
+                      bounds_.valence_change(b.p, -1) + bounds_.valence_change(b.q, -1);
+    collapse -=
+        bounds_.slack(b.a) + bounds_.slack(b.c) + bounds_.slack(b.m) - (ends - 2 * s_.energy.face);
     if(faces <= options_.max_valence) add(Operation_kind::border_collapse, b.v, -1, collapse);
   }
 
@@ -322,15 +273,15 @@ private:
 
   void collect_insertion(Index v, Index f)
   {
-    double bound = 4 * (s_.energy.face + s_.energy.valence) - slack(v);
-    for(Index u : s_.mesh.quad(f)) bound += valence_change(u, 1);
+    double bound = 4 * (s_.energy.face + s_.energy.valence) - bounds_.slack(v);
+    for(Index u : s_.mesh.quad(f)) bound += bounds_.valence_change(u, 1);
     if(is_quad_insertion_allowed(s_, f)) add(Operation_kind::insertion, f, -1, bound);
   }
 
   Adaptation_state& s_;
   const Improvement_options& options_;
+  Energy_bounds bounds_;
   Border_pair pair_;
-  bool relief_ = false; // the candidate in hand takes a face from a crowded node
   std::vector<Operation_candidate> candidates_;
   std::vector<Index> out_;
 };
