@@ -52,7 +52,7 @@ public:
       candidates_.describe(c, *trial_);
       const bool wide = candidates_.relieves_crowd(c); // worth a look although it starts badly
       if(wide) trial_->add_halo();
-      const Trial_limits limits = trial_limits(c.kind);
+      const Trial_limits limits = trial_limits(c.kind, s_.energy);
       Halo halo = wide ? Halo::at_once : Halo::none;
       double change = wide ? try_cavity(best_change, far, far)
                            : try_cavity(best_change, limits.after_a_sweep, limits.for_a_halo);

@@ -21,17 +21,19 @@ struct Trial_limits
   double after_a_sweep_with_halo; // relax once more with these
 };
 
-inline Trial_limits trial_limits(Operation_kind k)
+// The sweeps free more energy where shape weighs more, as it does where shapes are mended.
+inline Trial_limits trial_limits(Operation_kind k, const Energy_weights& energy)
 {
+  const double weight = energy.shape / Energy_weights().shape;
   switch(k) {
   case Operation_kind::close:
-    return { 3.8, 3, 0.5 };
+    return { 3.8 * weight, 3, 0.5 * weight };
   case Operation_kind::open:
-    return { 6.3, 4, 0.8 };
+    return { 6.3 * weight, 4, 0.8 * weight };
   case Operation_kind::rotate:
-    return { 6.3, 4, 1 };
+    return { 6.3 * weight, 4, weight };
   default:
-    return { 7.3, 6, 1.5 };
+    return { 7.3 * weight, 6, 1.5 * weight };
   }
 }
 
