@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_unfolding.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mirror_planes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +62,8 @@ struct Outcome
   std::vector<Index> given_patch, reference_patch;
   std::vector<std::pair<const char*, std::size_t>> operations;
   std::size_t iterations = 0;
-  std::size_t faults = 0; // faces too large, but for those held by edges that must not change, and
-                          // crowded nodes
+  std::size_t faults = 0; // faces too large, but for those held by edges that must not change,
+                          // crowded nodes, and faces of poor shape for no good reason
 
   // Takes the place of what the state has, which is here then.
   void exchange(Adaptation_state& s)
@@ -86,6 +87,12 @@ inline std::size_t count_faults(const Adaptation_state& s, double limit)
       ++faults;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v)
     if(s.mesh.is_vertex(v) && is_crowded(s, v)) ++faults;
+  // in a large mesh a few of these are not worth another solution
+  constexpr Index many = 20000;
+  constexpr double poor = 0.45;
+  if(s.mesh.number_of_faces() <= many)
+    for(const Poor_face& p : poor_shapes(s, poor))
+      if(p.limit == Shape_limit::none) ++faults;
   return faults;
 }
 
