@@ -145,6 +145,7 @@ TEST_F(Operators, FaceOpen) { run(places::add_opens, 500); }
 TEST_F(Operators, EdgeSwap) { run(places::add_swaps, 500); }
 TEST_F(Operators, VertexRotation) { run(places::add_rotations, 200); }
 TEST_F(Operators, HalfRingCollapseAndBorderSplit) { run(places::add_border_pairs, 100); }
+TEST_F(Operators, CreaseCollapse) { run(places::add_crease_collapses, 30); }
 TEST_F(Operators, ChordCollapse) { run(places::add_chords, 50); }
 TEST_F(Operators, RingCollapse) { run(places::add_rings, 50); }
 

@@ -119,6 +119,40 @@ TEST(Quality_floor, HoldsOnRealMeshes)
     for(double factor : { 0.5, 0.8, 2., 5. }) expect_good_shapes(read(name), factor);
 }
 
+// A regular mesh that is a little too large everywhere must not get irregular nodes everywhere.
+TEST(Quality_floor, AlmostFineEnoughStaysRegular)
+{
+  for(Index n : { 6, 8, 12, 16 }) {
+    const Shape sphere = shape_zoo::sphere(n);
+    for(double factor : { 0.97, 0.98, 0.99, 1. }) {
+      SCOPED_TRACE(std::to_string(n) + ", " + std::to_string(factor));
+      Mesh mesh;
+      const Adaptation_report report = adapt(sphere, factor, mesh);
+      EXPECT_GE(report.after.efficiency, 0.85);
+      EXPECT_LE(double(report.after.irregular_interior_vertices),
+                0.12 * double(report.after.interior_vertices));
+    }
+  }
+}
+
+// Creases inside a surface become as coarse as the faces beside them.
+TEST(Quality_floor, CreasesAreCoarsened)
+{
+  double efficiency = 0;
+  int runs = 0;
+  for(Index n : { 8, 12, 16 })
+    for(double factor : { 2., 2.5, 3. }) {
+      const Shape dome = more_shapes::dome(n);
+      SCOPED_TRACE(std::to_string(n) + ", " + std::to_string(factor));
+      Mesh mesh;
+      const Adaptation_report report = adapt(dome, factor, mesh);
+      EXPECT_GE(report.after.efficiency, 0.5);
+      efficiency += report.after.efficiency;
+      ++runs;
+    }
+  EXPECT_GE(efficiency / runs, 0.7);
+}
+
 TEST(Quality_floor, SmallAnglesOfFeaturesAreNamed)
 {
   for(double degrees : { 12., 18., 25. })

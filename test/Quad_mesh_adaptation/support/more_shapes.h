@@ -38,6 +38,22 @@ inline Shape closed_cylinder(Index n)
   return s;
 }
 
+/// Dome on a flat disk that meet in a sharp rim of 4 n edges; n is even.  The meshes of both have
+/// different patterns, so that hardly any chord is a whole row.
+inline Shape dome(Index n)
+{
+  Shape s = disk(n, n / 2);
+  for(Vec& p : s.points) p = Vec(p.x(), p.y(), 0.8 * (1 - p.x() * p.x() - p.y() * p.y()));
+  const Shape square = grid("", n, n, [n](Index i, Index j) {
+    const double u = std::tan((2. * i / n - 1) * pi / 4), v = std::tan((2. * j / n - 1) * pi / 4);
+    const double far = (std::max)(std::abs(u), std::abs(v)), r = std::hypot(u, v);
+    return r > 0 ? Vec(u * far / r, v * far / r, 0) : Vec(0, 0, 0);
+  });
+  append(s, turned_over(square), true);
+  s.name = "dome";
+  return s;
+}
+
 /// z = 2 r^2 over the unit disk: about the paper's nosecone.
 inline Shape paraboloid(Index n)
 {

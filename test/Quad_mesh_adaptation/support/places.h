@@ -8,6 +8,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/operators/border_half_ring.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/crease_collapse.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_open.h>
@@ -149,6 +150,25 @@ inline void add_border_pairs(const Adaptation_state& s, std::vector<Place>& list
   }
 }
 
+inline void add_crease_collapses(const Adaptation_state& s, std::vector<Place>& list)
+{
+  const Quad_complex& m = s.mesh;
+  core::Crease_star star;
+  for(Index v = 0; v < m.vertex_end(); ++v) {
+    if(!m.is_vertex(v) || !core::find_crease_star(m, v, star)) continue;
+    if(!core::is_crease_collapse_allowed(s, star)) continue;
+    Place p{ "crease collapse about vertex " + std::to_string(v),
+             [star](Adaptation_state& t, Cavity& c) { core::describe_crease_collapse(t, star, c); },
+             -2,
+             -2,
+             0,
+             {} };
+    for(const std::vector<Index>& side : star.spokes)
+      for(std::size_t i = 1; i + 1 < side.size(); ++i) --p.corners[m.target(side[i])];
+    list.push_back(p);
+  }
+}
+
 inline void add_chords(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
@@ -209,6 +229,7 @@ inline std::vector<Place> all_places(const Adaptation_state& s)
   add_swaps(s, list);
   add_rotations(s, list);
   add_border_pairs(s, list);
+  add_crease_collapses(s, list);
   add_chords(s, list);
   add_rings(s, list);
   return list;

@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -21,12 +22,21 @@ inline bool is_far_too_fine(const Adaptation_state& s)
   return s.mesh.number_of_faces() > large_mesh && mean_square_ratio(s) < 0.25;
 }
 
+inline bool has_creases(const Adaptation_state& s)
+{
+  return std::any_of(s.curves.begin(), s.curves.end(),
+                     [](const Feature_curve& c) { return !c.is_border() && !c.is_frozen(); });
+}
+
 // Coarsening by whole chords first, then by local operations: closing a face of a regular mesh
 // makes irregular nodes, so the weight of valences is relaxed while faces are closed and set back
-// for the clean-up after it. Ends when a round closes fewer than 1 % of the faces.
+// for the clean-up after it.  When a round closes fewer than 1 % of the faces, creases may lose
+// single edges, too: earlier that would break up rows that can go as a whole.  Ends when this does
+// not help any more, either.
 inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clean, int max_rounds)
 {
   const double strict = s.energy.valence;
+  bool shortens_creases = false;
   for(int round = 0; round < max_rounds; ++round) {
     set_floors(s); // where the mesh is too coarse it stays as it is for now
     const Index before = s.mesh.number_of_faces();
@@ -38,8 +48,9 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
       s.forget_energies();
       Improvement_options relaxed = clean;
       relaxed.open = false;
+      relaxed.crease = shortens_creases;
       relaxed.max_valence = 6;
-      relaxed.min_jacobian = 0.3;
+      relaxed.min_jacobian = shortens_creases ? 0.5 : 0.3; // corners on creases do not open again
       relaxed.first_gain = far;
       s.stir_all();
       Local_improvement(s, relaxed).passes(3);
@@ -48,7 +59,9 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
       s.forget_energies();
     }
     clean_up(s, clean, 3, 3);
-    if(s.mesh.number_of_faces() > 0.99 * before) break;
+    if(s.mesh.number_of_faces() <= 0.99 * before) continue;
+    if(shortens_creases || !has_creases(s)) break;
+    shortens_creases = true;
   }
   clear_floors(s);
 }

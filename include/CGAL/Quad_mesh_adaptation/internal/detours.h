@@ -10,6 +10,8 @@
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -18,11 +20,33 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// Share of the nodes inside the surface that have not four faces.
+inline double irregular_share(const Adaptation_state& s)
+{
+  const Quad_complex& m = s.mesh;
+  std::size_t irregular = 0, all = 0;
+  for(Index v = 0; v < m.vertex_end(); ++v) {
+    if(!m.is_vertex(v) || m.vertex(v).carrier != Carrier::surface) continue;
+    ++all;
+    if(m.vertex(v).faces != 4) ++irregular;
+  }
+  return double(irregular) / double((std::max)(all, std::size_t(1)));
+}
+
+// Has the mesh more irregular nodes than most have for sizes that grow as these do?  A regular one
+// that is a little too large everywhere gets them where single faces are split in the end.
+inline bool is_needlessly_irregular(const Adaptation_state& s)
+{
+  constexpr double usual = 0.12, by_slope = 0.25;
+  const double share = irregular_share(s);
+  return share > usual && share > usual + by_slope * Demand(s).slope;
+}
+
 // Has the mesh come out clearly worse than most do?
 inline bool is_poor(const Adaptation_state& s)
 {
   return !faces_too_large(s).empty() || shape_faults(s) > 0.2 || fraction_below(s, 0.5) > 0.03 ||
-         efficiency(s) < 0.6;
+         efficiency(s) < 0.6 || is_needlessly_irregular(s);
 }
 
 // What is wrong with a mesh, to be compared with another one for the same sizes.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/energy_bounds.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/border_half_ring.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/crease_collapse.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_open.h>
@@ -23,6 +24,7 @@ namespace internal {
 struct Improvement_options
 {
   bool close = true, open = true, swap = true, rotate = true, border = true;
+  bool crease = false;           // creases inside the surface lose single edges, not only by chords
   int max_valence = 5;           // of inner nodes, unless it was higher before
   bool keep_within_size = false; // no operation may leave a face above its size
   double min_jacobian = 0.5;     // no face may fall below min(this, worst before)
@@ -43,6 +45,7 @@ enum class Operation_kind
   rotate,
   border_collapse,
   border_split,
+  crease_collapse,
   insertion
 };
 
@@ -59,6 +62,8 @@ inline const char* operation_name(Operation_kind k)
     return "half-ring collapse";
   case Operation_kind::border_split:
     return "border split";
+  case Operation_kind::crease_collapse:
+    return "crease collapse";
   case Operation_kind::insertion:
     return "quad insertion";
   default:
@@ -93,6 +98,7 @@ public:
     if(options_.swap) collect_swaps(v);
     if(options_.rotate) collect_rotation(v);
     if(options_.border && find_border_pair(s_.mesh, v, pair_)) collect_border();
+    if(options_.crease && find_crease_star(s_.mesh, v, crease_)) collect_crease_collapse();
     if(options_.open) collect_insertions(v);
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Operation_candidate& a, const Operation_candidate& b) {
@@ -106,6 +112,7 @@ public:
   {
     s_.mesh.outgoing(v, out_);
     find_border_pair(s_.mesh, v, pair_);
+    find_crease_star(s_.mesh, v, crease_);
   }
 
   // Fills the cavity of a candidate of the node collected last.
@@ -132,6 +139,9 @@ public:
       break;
     case Operation_kind::border_split:
       describe_border_split(s_, pair_, cavity);
+      break;
+    case Operation_kind::crease_collapse:
+      describe_crease_collapse(s_, crease_, cavity);
       break;
     case Operation_kind::insertion:
       describe_quad_insertion(s_, c.h, cavity);
@@ -261,6 +271,29 @@ private:
     if(faces <= options_.max_valence) add(Operation_kind::border_collapse, b.v, -1, collapse);
   }
 
+  void collect_crease_collapse()
+  {
+    const Quad_complex& m = s_.mesh;
+    const Index a = crease_.first(m), c = crease_.last(m), keep = kept_node(m, crease_);
+    const int faces = m.vertex(a).faces + m.vertex(c).faces + int(out_.size()) - 6;
+    if(faces > (std::max)(options_.max_valence, int(m.vertex(crease_.v).faces))) return;
+    double bound = -2 * s_.energy.face + s_.valence_energy(faces, m.vertex(keep));
+    for(Index u : { a, c, crease_.v }) {
+      const Vertex_record& r = m.vertex(u);
+      bound -= s_.valence_energy(r.faces, r) + side_energy(s_, side_difference(s_, u)) +
+               bounds_.slack(u);
+    }
+    for(const std::vector<Index>& side : crease_.spokes)
+      for(std::size_t i = 0; i + 1 < side.size(); ++i) {
+        const bool is_first = i == 0, is_last = i + 2 == side.size();
+        if(!is_first) bound += bounds_.valence_change(m.target(side[i]), -1);
+        if(is_first == is_last)
+          bound += bounds_.valence_change(m.target(m.next(side[i])), is_first ? -1 : 1);
+      }
+    if(bound < options_.tolerance - s_.energy.min_gain && is_crease_collapse_allowed(s_, crease_))
+      add(Operation_kind::crease_collapse, crease_.v, -1, bound);
+  }
+
   // A node on a curve, no corner, with one flat face on a side.
   void collect_insertions(Index v)
   {
@@ -282,6 +315,7 @@ private:
   const Improvement_options& options_;
   Energy_bounds bounds_;
   Border_pair pair_;
+  Crease_star crease_;
   std::vector<Operation_candidate> candidates_;
   std::vector<Index> out_;
 };
