@@ -57,6 +57,7 @@ private:
   void make_complex()
   {
     Quad_complex& m = s_.mesh;
+    m.reserve(in_.points.size(), in_.quads.size());
     for(std::size_t v = 0; v < in_.points.size(); ++v) {
       Vertex_record r;
       r.p = in_.points[v];
@@ -189,6 +190,7 @@ private:
   {
     Triangle_soup soup;
     soup.points = in_.points;
+    soup.triangles.reserve(2 * in_.quads.size());
     for(const Quad& q : in_.quads) append_quad(soup, q);
     Edge_keys sharp;
     for(const auto& e : edges) sharp.push_back(e.first);
