@@ -216,6 +216,13 @@ struct Adaptation_state
     factors.forget_all();
     factor_age.clear();
   }
+  // In the end, when all that was to be known of it is.
+  void forget_surface()
+  {
+    surface = Reference_surface();
+    coverage = Coverage();
+    forget_faces();
+  }
   // Face `order[i]` has number i now.
   void renumber_faces(const std::vector<Index>& order)
   {
