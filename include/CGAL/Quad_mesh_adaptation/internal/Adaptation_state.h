@@ -318,6 +318,13 @@ struct Adaptation_state
   // A node on a curve takes its position from r.param.
   void place(Vertex_record& r) const
   {
+    put_on_carrier(r);
+    r.h = size.at(r.p);
+  }
+
+  // The same but for the size.
+  void put_on_carrier(Vertex_record& r) const
+  {
     if(r.carrier == Carrier::curve) {
       const Feature_curve& c = curves[r.curve];
       r.param = c.wrapped(r.param);
@@ -328,7 +335,6 @@ struct Adaptation_state
       r.p = on.point;
       r.normal = on.normal;
     }
-    r.h = size.at(r.p);
   }
 
   // `operation` is a literal.

@@ -171,8 +171,10 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     s.report_progress(1);
     report.iterations = s.iterations;
     for(const auto& o : s.operation_counts()) report.operations.push_back({ o.first, o.second });
-    s.size.scale_by(1);
-    s.forget_sizes();
+    if(s.size.scale() != 1) {
+      s.size.scale_by(1);
+      s.forget_sizes();
+    }
     const std::vector<Index> large = faces_too_large(s, largest_allowed(aim));
     judge_sizes(report, paper, aim, large.size());
     const std::vector<Index> far = bound.faces_too_far();
