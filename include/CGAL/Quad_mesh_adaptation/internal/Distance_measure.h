@@ -158,7 +158,7 @@ private:
     // an input that is its own reference, before anything is done: no point is off the mesh
     if(!s_.surface.has_lift() && triangles.are_those_of(s_.surface)) return;
     face_of_ = triangles.face_of();
-    mesh_ = triangles.surface();
+    mesh_ = triangles.surface(false);
     find_starts();
     measure_triangles();
     if(is_careful_ || from_reference_.settle(mesh_)) return;

@@ -42,17 +42,17 @@ public:
   // Of each pair of triangles.
   const std::vector<Index>& face_of() const { return face_of_; }
 
-  // Once only: the triangles are in the surface then.
-  Reference_surface surface()
+  // Parted by the curves, if asked for.  Once only: the triangles are in the surface then.
+  Reference_surface surface(bool is_parted)
   {
-    std::vector<std::array<Index, 3>> across = neighbours();
+    std::vector<std::array<Index, 3>> across = neighbours(is_parted);
     return Reference_surface(std::move(soup_.points), std::move(soup_.triangles),
                              std::move(across));
   }
 
 private:
   // What lies across the sides of the triangles is known.
-  std::vector<std::array<Index, 3>> neighbours() const
+  std::vector<std::array<Index, 3>> neighbours(bool is_parted) const
   {
     std::vector<Index> first_side(m_.face_end(), -1); // of the first triangle of a face
     for(std::size_t k = 0; k < face_of_.size(); ++k) {
@@ -66,7 +66,7 @@ private:
       across[2 * k + 1][0] = Index(2 * k);
       for(Index i = 0; i < 4; ++i) {
         const Index o = m_.opposite(4 * f + ((i + turned) & 3));
-        if(o < 0) continue;
+        if(o < 0 || (is_parted && m_.curve(o) >= 0)) continue;
         const Index there = first_side[m_.face(o)], j = ((o & 3) - (there & 3)) & 3;
         across[2 * k + std::size_t(i / 2)][i - i / 2] = 2 * (there / 4) + j / 2;
       }
