@@ -80,8 +80,8 @@ double expected_number_of_faces(const SizingField& sizing, const QuadMesh& mesh,
     const Feature_options features = decode_features(np);
     build_state(in, features, geometry, s);
     const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
-    const double ideal = ideal_number_of_faces(
-        reference ? corner_points(*reference) : triangles_of(in.points, in.quads), size);
+    const double ideal = reference ? ideal_number_of_faces(corner_points(*reference), size)
+                                   : ideal_number_of_faces(Quad_halves(in.points, in.quads), size);
     const double slope = s.size.is_constant()
                              ? 0.
                              : measure_size_growth(in.points, in.quads, size).mean_square_slope;

@@ -216,6 +216,13 @@ struct Adaptation_state
     factors.forget_all();
     factor_age.clear();
   }
+  // In the end, when all that was to be known of it is.
+  void forget_surface()
+  {
+    surface = Reference_surface();
+    coverage = Coverage();
+    forget_faces();
+  }
   // Face `order[i]` has number i now.
   void renumber_faces(const std::vector<Index>& order)
   {
@@ -311,6 +318,13 @@ struct Adaptation_state
   // A node on a curve takes its position from r.param.
   void place(Vertex_record& r) const
   {
+    put_on_carrier(r);
+    r.h = size.at(r.p);
+  }
+
+  // The same but for the size.
+  void put_on_carrier(Vertex_record& r) const
+  {
     if(r.carrier == Carrier::curve) {
       const Feature_curve& c = curves[r.curve];
       r.param = c.wrapped(r.param);
@@ -321,7 +335,6 @@ struct Adaptation_state
       r.p = on.point;
       r.normal = on.normal;
     }
-    r.h = size.at(r.p);
   }
 
   // `operation` is a literal.

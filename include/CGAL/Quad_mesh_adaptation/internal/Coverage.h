@@ -6,11 +6,12 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Size_sampler.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Triangle_tree.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Box_tree.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Witness.h>
 #include <CGAL/Quad_mesh_adaptation/internal/choose_witnesses.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -132,50 +133,35 @@ private:
   {
     first_.assign(m.face_end(), -1);
     if(witnesses_.empty()) return;
-    std::vector<Core_kernel::Triangle_3> soup;
     std::vector<Index> face_of;
-    std::vector<Vec> normals;
-    const auto pt = [](const Vec& v) { return Core_kernel::Point_3(v.x(), v.y(), v.z()); };
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
-      const Quad q = m.quad(f);
-      const Vec a = m.point(q[0]), b = m.point(q[1]), c = m.point(q[2]), d = m.point(q[3]);
-      soup.emplace_back(pt(a), pt(b), pt(c));
-      soup.emplace_back(pt(a), pt(c), pt(d));
-      face_of.push_back(f);
-      normals.push_back(normalized(cross(c - a, d - b)));
-    }
-    const Triangle_tree tree(std::move(soup));
+    face_of.reserve(m.number_of_faces());
+    for(Index f = 0; f < m.face_end(); ++f)
+      if(m.is_face(f)) face_of.push_back(f);
+    const auto corners_of = [&](Index t) -> std::array<Vec, 3> {
+      const Quad q = m.quad(face_of[t / 2]);
+      return { m.point(q[0]), m.point(q[1 + t % 2]), m.point(q[2 + t % 2]) };
+    };
+    const Box_tree tree(2 * Index(face_of.size()), corners_of);
     const auto patch_of = [&](Index f) {
       const Index k = m.patch(f);
       return k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
     };
     for(Index w = 0; w < Index(witnesses_.size()); ++w) {
-      const auto fits = [&](std::size_t t) {
-        const Index patch = patch_of(face_of[t / 2]);
-        return (patch < 0 || patch == witnesses_[w].patch) &&
-               !(normals[t / 2] * witnesses_[w].normal < Witness::turned_away);
+      const auto fits = [&](Index t) {
+        const Index f = face_of[t / 2], patch = patch_of(f);
+        if(patch >= 0 && patch != witnesses_[w].patch) return false;
+        const Quad q = m.quad(f);
+        const Vec normal =
+            normalized(cross(m.point(q[2]) - m.point(q[0]), m.point(q[3]) - m.point(q[1])));
+        return !(normal * witnesses_[w].normal < Witness::turned_away);
       };
-      const Index t = nearest(tree, witnesses_[w], fits);
+      const Index t = tree.nearest(witnesses_[w].p, corners_of, fits, 1e150).triangle;
       if(t < 0) continue;
       const Index f = face_of[t / 2];
       const Quad q = m.quad(f);
       const Corners p = { m.point(q[0]), m.point(q[1]), m.point(q[2]), m.point(q[3]) };
       give(w, f, witnesses_[w].cost_at(witnesses_[w].distance_to(p)));
     }
-  }
-
-  // The nearest of all is asked first, because the tree is fast at that.
-  template <typename Fits>
-  static Index nearest(const Triangle_tree& tree, const Witness& w, const Fits& fits)
-  {
-    const Triangle_tree::Nearest any = tree.nearest(w.p);
-    if(fits(any.triangle)) return Index(any.triangle);
-    for(double within : { 1 / w.inverse_h, 4 / w.inverse_h, 1e150 }) {
-      const Index t = Index(tree.nearest_of(w.p, fits, within));
-      if(t >= 0) return t;
-    }
-    return -1;
   }
 
   double bound_ = (std::numeric_limits<double>::infinity)();

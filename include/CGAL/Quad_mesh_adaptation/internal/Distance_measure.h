@@ -5,7 +5,8 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_MEASURE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Largest_distance.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 
 #include <algorithm>
@@ -22,70 +23,90 @@ namespace internal {
 // the faces, at sample points: nine per face, fifteen per reference triangle where that is curved
 // and seven where it is flat, and along every feature edge all points of the curve's polyline.
 //
-// A distance is the one within the patch.  From the reference it is found by walking over the mesh,
-// which may stop too far away; where that gives more than `care` for its face a tree is asked.
-// Without `care` only the largest counts: those that may be it are looked at again in the end.
+// A distance is the one within the patch.  It is found by walking, over the surface or over the
+// mesh, which may stop too far away; where that gives more than `care` for its face a tree is
+// asked. Without `care` only the largest counts: walks end where it cannot be, and those that may
+// be it are looked at again in the end.
 class Distance_measure
 {
 public:
   explicit Distance_measure(const Adaptation_state& s,
                             double care = (std::numeric_limits<double>::infinity)())
-      : s_(s), care_(care), of_face(s.mesh.face_end(), 0.), asks_tree_(std::isfinite(care))
+      : s_(s), care_(care), is_careful_(std::isfinite(care)),
+        of_face_(is_careful_ ? s.mesh.face_end() : 0, 0.)
   {
     measure_curves();
+    if(s_.surface.is_planar()) return;
     measure_faces();
     measure_reference();
   }
 
-  double to_reference() const { return to_reference_; }
-  double from_reference() const { return from_reference_; }
-  // The larger of both for what was found on face f: rather too much, but where it is above `care`.
-  double of(Index f) const { return of_face[f]; }
-  // The face that vertex v of the reference is nearest to; -1 on a plane, where none is looked for.
-  Index face_below(Index v) const { return face_below_.empty() ? Index(-1) : face_below_[v]; }
+  double to_reference() const { return to_reference_.value(); }
+  double from_reference() const { return from_reference_.value(); }
+  // With `care`: the larger of both for what was found on face f; rather too much, but where it is
+  // above `care`.
+  double of(Index f) const { return of_face_[f]; }
 
 private:
   static constexpr int curve_samples = 8;
 
-  void note(Index f, double d, double& largest)
+  void note(Index f, double d, Largest_distance& largest)
   {
-    of_face[f] = (std::max)(of_face[f], d);
-    largest = (std::max)(largest, d);
+    if(is_careful_) of_face_[f] = (std::max)(of_face_[f], d);
+    largest.note(d);
   }
 
   void measure_faces()
   {
+    // some from everywhere first: the largest of these spare most of the others a walk
+    constexpr Index one_in = 64;
+    const auto measure_all = [&] {
+      for(bool is_first : { true, false })
+        for(Index f = 0; f < s_.mesh.face_end(); ++f)
+          if((f % one_in == 0) == is_first && s_.mesh.is_face(f)) measure_face(f);
+    };
+    measure_all();
+    if(is_careful_ || to_reference_.settle(s_.surface)) return;
+    asks_tree_ = true;
+    measure_all();
+    asks_tree_ = false;
+  }
+
+  void measure_face(Index f)
+  {
     const Quad_complex& m = s_.mesh;
-    if(s_.surface.is_planar()) return;
     const double at[9][2] = { { .5, .5 }, { .25, .25 }, { .75, .25 }, { .75, .75 }, { .25, .75 },
                               { .5, 0. }, { 1., .5 },   { .5, 1. },   { 0., .5 } };
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
-      const Corners p = s_.corners(f);
-      Index hint = s_.triangle_near(f, p[0]);
-      for(int k = 0; k < 9; ++k) {
-        const Index h = 4 * f + k - 5, o = k < 5 ? Index(-1) : m.opposite(h);
-        if(k >= 5 && (m.curve(h) >= 0 || o > h)) continue; // measured as a curve, or over there
-        const double u = at[k][0], v = at[k][1];
-        const Vec q = (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * (u * p[2] + (1 - u) * p[3]);
-        const double d = to_surface(q, f, hint);
-        note(f, d, to_reference_);
-        if(o >= 0) note(m.face(o), d, to_reference_);
-      }
+    const Corners p = s_.corners(f);
+    Index hint = s_.triangle_near(f, p[0]);
+    for(int k = 0; k < 9; ++k) {
+      const Index h = 4 * f + k - 5, o = k < 5 ? Index(-1) : m.opposite(h);
+      if(k >= 5 && (m.curve(h) >= 0 || o > h)) continue; // measured as a curve, or over there
+      const double u = at[k][0], v = at[k][1];
+      const Vec q = (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * (u * p[2] + (1 - u) * p[3]);
+      measure_to_surface(q, f, o < 0 ? f : m.face(o), hint);
     }
   }
 
-  // Walking over the surface may stop at a border or behind a fold, too far away.
-  double to_surface(const Vec& q, Index f, Index& hint) const
+  // Of a point of faces f and g.  Walking over the surface may stop at a border or behind a fold,
+  // too far away.
+  void measure_to_surface(const Vec& q, Index f, Index g, Index& hint)
   {
-    const double d = distance(q, s_.surface.project(q, hint));
-    if(d <= to_reference_ && d <= care_) return d;
-    const Index k = s_.mesh.patch(f);
-    const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
-    Index nearer = s_.surface.find_nearer(q, patch, area_vector(s_.corners(f)), d);
-    if(nearer < 0) return d;
-    hint = nearer;
-    return (std::min)(d, distance(q, s_.surface.project(q, hint)));
+    const double enough = is_careful_ ? care_ : to_reference_.threshold();
+    double d = s_.surface.distance_from(q, enough, hint);
+    if(d > enough) {
+      const Index k = s_.mesh.patch(f);
+      const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
+      const Vec direction = area_vector(s_.corners(f));
+      if(!is_careful_ && !asks_tree_) return to_reference_.doubt(d, q, patch, direction);
+      Index nearer = s_.surface.find_nearer(q, patch, direction, d);
+      if(nearer >= 0) {
+        hint = nearer;
+        d = (std::min)(d, distance(q, s_.surface.project(q, hint)));
+      }
+    }
+    note(f, d, to_reference_);
+    note(g, d, to_reference_);
   }
 
   void measure_curves()
@@ -107,7 +128,7 @@ private:
       for(int k = 1; k < curve_samples; ++k) look_at(l * k / curve_samples);
       for_each_arc(c, su, l, look_at);
       note(m.face(h), largest, from_reference_);
-      to_reference_ = (std::max)(to_reference_, largest);
+      to_reference_.note(largest);
       if(m.opposite(h) >= 0) note(m.face(m.opposite(h)), largest, from_reference_);
     }
   }
@@ -133,18 +154,16 @@ private:
 
   void measure_reference()
   {
-    if(s_.surface.is_planar()) return;
-    collect_mesh();
-    if(is_mesh_the_reference()) return;
+    Mesh_triangles triangles(s_.mesh);
+    // an input that is its own reference, before anything is done: no point is off the mesh
+    if(!s_.surface.has_lift() && triangles.are_those_of(s_.surface)) return;
+    face_of_ = triangles.face_of();
+    mesh_ = triangles.surface(false);
     find_starts();
     measure_triangles();
-    if(!are_doubts_settled()) {
-      asks_tree_ = true;
-      measure_triangles();
-    }
-    face_below_.assign(s_.surface.points().size(), -1);
-    for(std::size_t v = 0; v < foot_.size(); ++v)
-      if(foot_[v] >= 0) face_below_[v] = face_of_[foot_[v] / 2];
+    if(is_careful_ || from_reference_.settle(mesh_)) return;
+    asks_tree_ = true;
+    measure_triangles();
   }
 
   // Each triangle beside one that is measured already, so that its samples are looked for near
@@ -183,18 +202,6 @@ private:
       }
   }
 
-  // An input that is its own reference, before anything is done: no point is off the mesh.
-  bool is_mesh_the_reference()
-  {
-    if(s_.surface.has_lift() || mesh_.triangles() != s_.surface.triangles() ||
-       mesh_.points() != s_.surface.points())
-      return false;
-    face_below_.assign(s_.surface.points().size(), -1);
-    for(std::size_t t = mesh_.triangles().size(); t-- > 0;)
-      for(Index v : mesh_.triangles()[t]) face_below_[v] = face_of_[t / 2];
-    return true;
-  }
-
   void measure_triangle(Index t)
   {
     const std::array<Index, 3> corners = s_.surface.triangles()[t];
@@ -219,13 +226,13 @@ private:
     const Vec direction = s_.surface.normal(t);
     p = s_.surface.lifted(p, t);
     if(hint < 0) hint = mesh_.find(p, -1, direction);
-    double d = distance(p, mesh_.project(p, hint));
-    if(!asks_tree_ && d > from_reference_) {
-      d = walked_anew(p, t, d, hint);
-      of_face[face_of_[hint / 2]] = (std::max)(of_face[face_of_[hint / 2]], d);
-      return doubt(d, p, direction);
+    const double enough = is_careful_ ? care_ : from_reference_.threshold();
+    double d = mesh_.distance_from(p, enough, hint);
+    if(!is_careful_ && !asks_tree_) {
+      if(d > enough) from_reference_.doubt(walked_anew(p, t, d, hint), p, -1, direction);
+      return;
     }
-    if(d > from_reference_ || (d > care_ && d > of_face[face_of_[hint / 2]])) {
+    if(d > enough && !(is_careful_ && d <= of_face_[face_of_[hint / 2]])) {
       Index nearer = mesh_.find_nearer(p, -1, direction, d);
       if(nearer >= 0) {
         d = (std::min)(d, distance(p, mesh_.project(p, nearer)));
@@ -235,18 +242,11 @@ private:
     note(face_of_[hint / 2], d, from_reference_);
   }
 
-  // A distance by walking that may be the largest.
-  struct Doubt
-  {
-    double distance;
-    Vec p, direction;
-  };
-
   // A walk that seems to end far off may have been lost from the triangle before on: so it is done
   // again from the triangle's own start.
   double walked_anew(const Vec& p, Index t, double d, Index& hint) const
   {
-    if(start_[t] < 0 || (doubts_.size() == most_doubts && d <= doubts_.back().distance)) return d;
+    if(start_[t] < 0) return d;
     Index other = start_[t];
     const double again = distance(p, mesh_.project(p, other));
     if(!(again < d)) return d;
@@ -254,76 +254,15 @@ private:
     return again;
   }
 
-  // Keeps the largest few, in order.
-  void doubt(double d, const Vec& p, const Vec& direction)
-  {
-    if(doubts_.size() == most_doubts) {
-      if(!(d > doubts_.back().distance)) return;
-      doubts_.pop_back();
-    }
-    const auto place = std::find_if(doubts_.begin(), doubts_.end(),
-                                    [d](const Doubt& x) { return x.distance < d; });
-    doubts_.insert(place, { d, p, direction });
-  }
-
-  // False if the largest may be among those not kept: all but a few walks went wrong.
-  bool are_doubts_settled()
-  {
-    for(const Doubt& x : doubts_) {
-      if(x.distance <= from_reference_) return true;
-      const Index nearer = mesh_.scan_nearer(x.p, x.direction, x.distance);
-      double d = x.distance;
-      if(nearer >= 0) d = distance(x.p, closest_on_triangle(x.p, mesh_.triangle(nearer)).point);
-      from_reference_ = (std::max)(from_reference_, d);
-    }
-    return doubts_.size() < most_doubts || doubts_.back().distance <= from_reference_;
-  }
-
-  // The faces, each cut in two; what lies across their sides is known.
-  void collect_mesh()
-  {
-    const Quad_complex& m = s_.mesh;
-    Triangle_soup soup;
-    soup.points.reserve(m.vertex_end());
-    soup.triangles.reserve(2 * std::size_t(m.number_of_faces()));
-    for(Index v = 0; v < m.vertex_end(); ++v) soup.points.push_back(m.point(v));
-    std::vector<Index> first_side(m.face_end(), -1); // of the first triangle of a face
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
-      first_side[f] = Index(4 * face_of_.size());
-      append_quad(soup, m.quad(f));
-      if(soup.triangles.back()[0] != m.origin(4 * f)) ++first_side[f];
-      face_of_.push_back(f);
-    }
-    std::vector<std::array<Index, 3>> across(soup.triangles.size(), { -1, -1, -1 });
-    for(std::size_t k = 0; k < face_of_.size(); ++k) {
-      const Index f = face_of_[k], turned = first_side[f] & 3;
-      across[2 * k][2] = Index(2 * k + 1);
-      across[2 * k + 1][0] = Index(2 * k);
-      for(Index i = 0; i < 4; ++i) {
-        const Index o = m.opposite(4 * f + ((i + turned) & 3));
-        if(o < 0) continue;
-        const Index there = first_side[m.face(o)], j = ((o & 3) - (there & 3)) & 3;
-        across[2 * k + std::size_t(i / 2)][i - i / 2] = 2 * (there / 4) + j / 2;
-      }
-    }
-    mesh_ = Reference_surface(std::move(soup.points), std::move(soup.triangles), std::move(across));
-    mesh_.expect_few_questions();
-  }
-
-  static constexpr std::size_t most_doubts = 16;
-
   const Adaptation_state& s_;
   double care_;
-  std::vector<double> of_face;
-  double to_reference_ = 0, from_reference_ = 0;
-  Reference_surface mesh_;        // the faces, each cut in two
-  std::vector<Index> face_of_;    // of each pair of triangles
-  std::vector<Index> start_;      // by triangle of the reference: one of the mesh near it, or -1
-  std::vector<Index> foot_;       // by vertex of the reference: the triangle nearest to it
-  std::vector<Index> face_below_; // by vertex of the reference
-  bool asks_tree_ = false;        // about every distance that seems to be the largest so far
-  std::vector<Doubt> doubts_;
+  bool is_careful_, asks_tree_ = false;
+  std::vector<double> of_face_;
+  Largest_distance to_reference_, from_reference_;
+  Reference_surface mesh_;     // the faces, each cut in two
+  std::vector<Index> face_of_; // of each pair of triangles
+  std::vector<Index> start_;   // by triangle of the reference: one of the mesh near it, or -1
+  std::vector<Index> foot_;    // by vertex of the reference: the triangle nearest to it
 };
 
 } // namespace internal

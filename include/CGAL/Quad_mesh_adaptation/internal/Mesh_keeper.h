@@ -19,15 +19,18 @@ class Mesh_keeper
 {
 public:
   explicit Mesh_keeper(Adaptation_state& s)
-      : s_(s), mesh_(s.mesh), operations_(s.operations), iterations_(s.iterations)
+      : s_(s), mesh_(s.mesh.packed()), vertex_end_(s.mesh.vertex_end()), operations_(s.operations),
+        iterations_(s.iterations)
   {
   }
 
-  const Quad_complex& mesh() const { return mesh_; }
+  Index number_of_faces() const { return mesh_.number_of_faces(); }
 
   // All is as it was; once only.
   void restore()
   {
+    s_.mesh = Quad_complex(); // its memory can be used again
+    mesh_.unpack(vertex_end_);
     s_.mesh = std::move(mesh_);
     s_.operations = std::move(operations_);
     s_.iterations = iterations_;
@@ -38,7 +41,8 @@ public:
 
 private:
   Adaptation_state& s_;
-  Quad_complex mesh_;
+  Quad_complex mesh_; // packed
+  Index vertex_end_;
   std::vector<std::pair<const char*, std::size_t>> operations_;
   std::size_t iterations_;
 };

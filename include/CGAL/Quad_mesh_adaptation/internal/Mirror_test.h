@@ -33,21 +33,14 @@ public:
       : in_(in), s_(s), centre_(centre), tolerance_(2 * accuracy * reach),
         lookup_(in.points, tolerance_)
   {
-    for(const Quad& q : in.quads) {
-      const Quad c = { class_of(q[0]), class_of(q[1]), class_of(q[2]), class_of(q[3]) };
-      faces_.emplace_back(from_lowest(c).first, Index(faces_.size()));
-    }
-    std::sort(faces_.begin(), faces_.end());
   }
 
-  // Could the plane through the centre be one?  Looks at a few vertices only.
+  // Could the plane through the centre be one?  Looks at a few vertices only, and at the sizes at
+  // some hundreds, so that a change of the sizes in a small place costs no more than that.
   bool is_plausible(const Vec& normal) const
   {
     const Mirror_plane p = plane_through_centre(normal);
-    const std::size_t n = in_.points.size(), step = (std::max)(n / 7, std::size_t(1));
-    for(std::size_t v = 0; v < n; v += step)
-      if(lookup_.find(p.reflect(in_.points[v])) < 0) return false;
-    return true;
+    return maps_some(p, 7, false) && maps_some(p, s_.size.is_constant() ? 50 : 500, true);
   }
 
   // The plane through the centre with all that is mapped by it, if it is a mirror plane.
@@ -62,6 +55,21 @@ public:
   }
 
 private:
+  // Has one vertex in so many another one as image, with the same size where that is asked for?
+  bool maps_some(const Mirror_plane& p, std::size_t parts, bool with_size) const
+  {
+    const std::size_t n = in_.points.size(), step = (std::max)(n / parts, std::size_t(1));
+    for(std::size_t v = 0; v < n; v += step) {
+      const Index image = lookup_.find(p.reflect(in_.points[v]));
+      if(image < 0) return false;
+      if(with_size && differ(s_.size.at(in_.points[v]), s_.size.at(in_.points[image])))
+        return false;
+    }
+    return true;
+  }
+
+  static bool differ(double a, double b) { return !(std::abs(a - b) <= accuracy * a); }
+
   Index class_of(Index v) const { return lookup_.class_of(v); }
 
   // The quad turned to start at its lowest number, and by how many corners it was turned.
@@ -133,9 +141,20 @@ private:
     return true;
   }
 
+  void sort_faces()
+  {
+    if(!faces_.empty()) return;
+    for(const Quad& q : in_.quads) {
+      const Quad c = { class_of(q[0]), class_of(q[1]), class_of(q[2]), class_of(q[3]) };
+      faces_.emplace_back(from_lowest(c).first, Index(faces_.size()));
+    }
+    std::sort(faces_.begin(), faces_.end());
+  }
+
   // Every face has a partner of opposite orientation, and only one.
   bool map_faces(Mirror_plane& p)
   {
+    sort_faces();
     p.face_partner.resize(in_.quads.size());
     corner_shift_.resize(in_.quads.size());
     for(std::size_t f = 0; f < in_.quads.size(); ++f) {
@@ -219,7 +238,6 @@ private:
   {
     if(s_.size.is_constant()) return true;
     sample_sizes();
-    const auto differ = [](double a, double b) { return !(std::abs(a - b) <= accuracy * a); };
     for(Index f = 0; f < Index(in_.quads.size()); ++f) {
       if(differ(face_size_[f], face_size_[p.face_partner[f]])) return false;
       for(int i = 0; i < 4; ++i)

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -142,6 +141,7 @@ public:
       vertices_[v] = r;
       return v;
     }
+    grow(vertices_, 1);
     vertices_.push_back(r);
     return Index(vertices_.size()) - 1;
   }
@@ -154,6 +154,8 @@ public:
       free_faces_.pop_back();
     } else {
       f = face_end();
+      for(auto* list : { &origin_, &opposite_, &curve_ }) grow(*list, 4);
+      grow(patch_, 1);
       origin_.resize(origin_.size() + 4, -1);
       opposite_.resize(opposite_.size() + 4, -1);
       curve_.resize(curve_.size() + 4, -1);
@@ -204,27 +206,20 @@ public:
   // offending half-edge in `bad`, if two half-edges run the same way between the same vertices.
   bool link(Index* bad = nullptr)
   {
-    struct Key
-    {
-      Index low, high, h;
-    };
     std::vector<Index> start(vertices_.size() + 1, 0);
-    std::vector<Key> keys;
-    keys.reserve(origin_.size());
-    for(Index h = 0; h < Index(origin_.size()); ++h) {
-      if(origin_[h] < 0) continue;
-      const Index a = origin(h), b = target(h);
-      keys.push_back({ (std::min)(a, b), (std::max)(a, b), h });
-      ++start[(std::min)(a, b) + 1];
-    }
+    for(Index h = 0; h < Index(origin_.size()); ++h)
+      if(origin_[h] >= 0) ++start[low_end(h) + 1];
     for(std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<Key> sorted(keys.size()); // bucketed by the lower vertex, in half-edge order
-    for(const Key& k : keys) sorted[start[k.low]++] = k;
+    std::vector<Index> sorted(start.back()); // bucketed by the lower vertex, in half-edge order
+    for(Index h = 0; h < Index(origin_.size()); ++h)
+      if(origin_[h] >= 0) sorted[start[low_end(h)]++] = h;
+    std::vector<std::pair<Index, Index>> bucket; // upper end, half-edge
     for(std::size_t i = 0; i < sorted.size();) {
-      std::size_t j = i;
-      while(j < sorted.size() && sorted[j].low == sorted[i].low) ++j;
-      if(!link_bucket(sorted.data() + i, sorted.data() + j, bad)) return false;
-      i = j;
+      const Index low = low_end(sorted[i]);
+      bucket.clear();
+      for(; i < sorted.size() && low_end(sorted[i]) == low; ++i)
+        bucket.emplace_back((std::max)(origin(sorted[i]), target(sorted[i])), sorted[i]);
+      if(!link_bucket(bucket, bad)) return false;
     }
     refresh_vertices();
     return true;
@@ -277,7 +272,8 @@ public:
     const Index kept = (std::min)(first_reusable_, vertex_end());
     Quad_complex r;
     r.first_reusable_ = first_reusable_;
-    r.vertices_.reserve(vertices_.size());
+    const std::size_t spare = order.size() / 16; // for a few more later
+    r.reserve(vertices_.size() + spare, order.size() + spare);
     r.vertices_.assign(vertices_.begin(), vertices_.begin() + kept);
     for(Index v = 0; v < kept; ++v) vertex[v] = v;
     for(Index f : order) {
@@ -297,30 +293,69 @@ public:
     *this = std::move(r);
   }
 
-private:
-  template <typename Key>
-  bool link_bucket(Key* first, Key* last, Index* bad)
+  // A copy to be kept, in which only the vertices that exist have records; unpack() it before use.
+  // Those of the caller that are gone may be as many as those that are there.
+  Quad_complex packed() const
   {
-    std::sort(first, last, [](const Key& a, const Key& b) {
-      return std::tie(a.high, a.h) < std::tie(b.high, b.h);
-    });
-    for(Key* i = first; i != last;) {
-      Key* j = i;
-      while(j != last && j->high == i->high) ++j;
-      const std::ptrdiff_t n = j - i;
-      if(n > 2 || (n == 2 && origin_[i[0].h] == origin_[i[1].h])) {
-        if(bad) *bad = i->h;
+    Quad_complex r;
+    r.origin_ = origin_;
+    r.opposite_ = opposite_;
+    r.curve_ = curve_;
+    r.patch_ = patch_;
+    r.free_faces_ = free_faces_;
+    r.free_vertices_ = free_vertices_;
+    r.face_count_ = face_count_;
+    r.first_reusable_ = first_reusable_;
+    std::size_t n = 0;
+    for(Index v = 0; v < vertex_end(); ++v) n += is_vertex(v) ? 1 : 0;
+    r.vertices_.reserve(n);
+    for(Index v = 0; v < vertex_end(); ++v)
+      if(is_vertex(v)) r.vertices_.push_back(vertices_[v]);
+    return r;
+  }
+
+  // With so many records as there were.
+  void unpack(Index vertex_end)
+  {
+    std::vector<Vertex_record> all(vertex_end);
+    for(Index v : origin_)
+      if(v >= 0) all[v].halfedge = 0; // it exists
+    auto next = vertices_.begin();
+    for(Vertex_record& r : all)
+      if(r.halfedge >= 0) r = *next++;
+    vertices_ = std::move(all);
+  }
+
+private:
+  Index low_end(Index h) const { return (std::min)(origin(h), target(h)); }
+
+  bool link_bucket(std::vector<std::pair<Index, Index>>& bucket, Index* bad)
+  {
+    std::sort(bucket.begin(), bucket.end());
+    for(std::size_t i = 0; i < bucket.size();) {
+      std::size_t j = i;
+      while(j < bucket.size() && bucket[j].first == bucket[i].first) ++j;
+      const Index g = bucket[i].second, h = j == i + 2 ? bucket[i + 1].second : Index(-1);
+      if(j > i + 2 || (h >= 0 && origin_[g] == origin_[h])) {
+        if(bad) *bad = g;
         return false;
       }
-      opposite_[i->h] = n == 2 ? i[1].h : Index(-1);
-      if(n == 2) {
-        opposite_[i[1].h] = i->h;
-        const Index c = (std::max)(curve_[i[0].h], curve_[i[1].h]);
-        curve_[i[0].h] = curve_[i[1].h] = c;
+      opposite_[g] = h;
+      if(h >= 0) {
+        opposite_[h] = g;
+        curve_[g] = curve_[h] = (std::max)(curve_[g], curve_[h]);
       }
       i = j;
     }
     return true;
+  }
+
+  // Room for n more, by a quarter where it is used up: twice as much would be much for large
+  // meshes.
+  template <typename T>
+  static void grow(std::vector<T>& list, std::size_t n)
+  {
+    if(list.size() + n > list.capacity()) list.reserve(list.size() + list.size() / 4 + n + 64);
   }
 
   std::vector<Index> origin_, opposite_, curve_, patch_;

@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_SURFACE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_SURFACE_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/Triangle_tree.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Box_tree.h>
 #include <CGAL/Quad_mesh_adaptation/internal/closest_point.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
@@ -27,8 +27,8 @@ using Edge_keys = std::vector<std::pair<Index, Index>>; // edges by their ends, 
 // From a point of a triangle to the true surface above it.
 using Surface_lift = std::function<Surface_point(const Vec& foot, Index triangle)>;
 
-// The surface that nodes stay on: triangles (quads cut in two, for an AABB tree over quads would
-// see half of each), their adjacency, and an AABB tree.  A node remembers the triangle it lies
+// The surface that nodes stay on: triangles (quads cut in two, for a tree over quads would see
+// half of each), their adjacency, and a tree of boxes.  A node remembers the triangle it lies
 // on; a small move is followed from triangle to neighbouring triangle, which is fast and cannot
 // jump to another sheet; the tree finds where to start and takes over when the walk is lost.
 //
@@ -68,9 +68,6 @@ public:
     planar_ = planar_ && !lift_;
   }
   bool has_lift() const { return bool(lift_); }
-
-  // Then the tree is made without hints, which take time and memory.
-  void expect_few_questions() { with_hints_ = false; }
 
   bool is_planar() const { return planar_; }
   std::size_t number_of_triangles() const { return triangles_.size(); }
@@ -117,6 +114,14 @@ public:
     return (p - walk(p, hint, d * d)).squared_length() <= d * d;
   }
 
+  // How far p is from the surface, looked for from triangle `hint` on; rather too much, but where
+  // it is more than `enough`.
+  double distance_from(const Vec& p, double enough, Index& hint) const
+  {
+    if(planar_ || lift_ || hint < 0) return distance(p, project(p, hint));
+    return distance(p, walk(p, hint, enough * enough));
+  }
+
   // The point of the surface above a point of triangle t.
   Vec lifted(const Vec& foot, Index t) const { return lift_ ? lift_(foot, t).point : foot; }
 
@@ -143,7 +148,7 @@ public:
   {
     if(planar_) return -1;
     const Index t = find_nearer(p, patch, direction, 1e150);
-    return t >= 0 ? t : Index(tree().nearest(p).triangle);
+    return t >= 0 ? t : nearest_of_all(p).triangle;
   }
 
   // The same, but only triangles nearer than `within` are looked for, which takes far less time
@@ -151,18 +156,19 @@ public:
   Index find_nearer(const Vec& p, Index patch, const Vec& direction, double within) const
   {
     if(planar_) return -1;
-    const auto accept = [&](std::size_t i) {
-      return (patch < 0 || patches_[i] == patch) && !(normals_[i] * direction < 0);
+    const auto accept = [&](Index t) {
+      return (patch < 0 || patches_[t] == patch) && !(normals_[t] * direction < 0);
     };
-    return Index(tree().nearest_of(p, accept, within));
+    return tree().nearest(p, Corners_of{ *this }, accept, within).triangle;
   }
 
   // The same without the tree, for a few questions: all triangles are looked at.
-  Index scan_nearer(const Vec& p, const Vec& direction, double within) const
+  Index scan_nearer(const Vec& p, Index patch, const Vec& direction, double within) const
   {
     Index best = -1;
     double least = within * within;
     for(Index t = 0; t < Index(triangles_.size()); ++t) {
+      if(patch >= 0 && patches_[t] != patch) continue;
       const std::array<Vec, 3> c = triangle(t);
       double off = 0; // squared distance from the box of the triangle
       for(int i = 0; i < 3; ++i) {
@@ -180,6 +186,12 @@ public:
   }
 
 private:
+  struct Corners_of // what the tree asks
+  {
+    const Reference_surface& surface;
+    std::array<Vec, 3> operator()(Index t) const { return surface.triangle(t); }
+  };
+
   Vec nearest_foot(const Vec& p, Index& hint) const
   {
     if(planar_) return p - ((p - plane_point_) * plane_normal_) * plane_normal_;
@@ -189,8 +201,8 @@ private:
 
   Vec locate(const Vec& p, Index& t) const
   {
-    const Triangle_tree::Nearest found = tree().nearest(p);
-    t = Index(found.triangle);
+    const Box_tree::Nearest found = nearest_of_all(p);
+    t = found.triangle;
     return found.point;
   }
 
@@ -342,30 +354,25 @@ private:
     }
   }
 
-  // Built at the first question, by whichever thread asks it.
-  const Triangle_tree& tree() const
+  Box_tree::Nearest nearest_of_all(const Vec& p) const
   {
-    const std::lock_guard<std::mutex> lock(tree_->mutex);
-    if(!tree_->tree) tree_->tree = build_tree();
-    return *tree_->tree;
+    return tree().nearest(
+        p, Corners_of{ *this }, [](Index) { return true; }, 1e150);
   }
 
-  std::unique_ptr<Triangle_tree> build_tree() const
+  // Built at the first question, by whichever thread asks it.
+  const Box_tree& tree() const
   {
-    std::vector<Core_kernel::Triangle_3> soup;
-    soup.reserve(triangles_.size());
-    const auto pt = [](const Vec& v) { return Core_kernel::Point_3(v.x(), v.y(), v.z()); };
-    for(std::size_t t = 0; t < triangles_.size(); ++t) {
-      const auto c = triangle(Index(t));
-      soup.emplace_back(pt(c[0]), pt(c[1]), pt(c[2]));
-    }
-    return std::make_unique<Triangle_tree>(std::move(soup), with_hints_);
+    const std::lock_guard<std::mutex> lock(tree_->mutex);
+    if(!tree_->tree)
+      tree_->tree = std::make_unique<Box_tree>(Index(triangles_.size()), Corners_of{ *this });
+    return *tree_->tree;
   }
 
   struct Tree_on_demand
   {
     std::mutex mutex;
-    std::unique_ptr<Triangle_tree> tree;
+    std::unique_ptr<Box_tree> tree;
   };
 
   std::vector<Vec> points_;
@@ -373,7 +380,7 @@ private:
   std::vector<Vec> normals_;
   std::vector<Index> patches_;
   Surface_lift lift_;
-  bool planar_ = false, with_hints_ = true;
+  bool planar_ = false;
   Vec plane_normal_ = Vec(0, 0, 1), plane_point_ = Vec(0, 0, 0);
   std::shared_ptr<Tree_on_demand> tree_ = std::make_shared<Tree_on_demand>(); // of all copies
 };

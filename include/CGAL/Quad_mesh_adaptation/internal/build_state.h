@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Crease_lookup.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Curve_tracer.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_matcher.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Smooth_surface.h>
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
@@ -57,6 +58,7 @@ private:
   void make_complex()
   {
     Quad_complex& m = s_.mesh;
+    m.reserve(in_.points.size(), in_.quads.size());
     for(std::size_t v = 0; v < in_.points.size(); ++v) {
       Vertex_record r;
       r.p = in_.points[v];
@@ -106,7 +108,7 @@ private:
     if(reference) known.emplace(creases.emplace(*reference, cos_, off_));
     std::vector<char> detected(4 * std::size_t(m.face_end()), 0);
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(m.curve(h) >= 0 || !turns_across(h)) continue;
+      if(m.curve(h) >= 0 || m.opposite(h) < h || !turns_across(h)) continue;
       if(known && !known->runs_along(m.point(m.origin(h)), m.point(m.target(h)))) continue;
       m.set_curve(h, 0);
       detected[h] = detected[m.opposite(h)] = 1;
@@ -187,12 +189,7 @@ private:
 
   void use_input(const Hermite_edges& edges, const Geometry_options& geometry)
   {
-    Triangle_soup soup;
-    soup.points = in_.points;
-    for(const Quad& q : in_.quads) append_quad(soup, q);
-    Edge_keys sharp;
-    for(const auto& e : edges) sharp.push_back(e.first);
-    s_.surface = Reference_surface(std::move(soup.points), std::move(soup.triangles), sharp);
+    s_.surface = Mesh_triangles(s_.mesh).surface(true); // faces have the numbers of the quads still
     for(std::size_t f = 0; f < in_.quads.size(); ++f)
       for(Index v : in_.quads[f]) s_.mesh.vertex(v).hint = Index(2 * f); // a triangle next to it
     s_.reference_patch.resize(s_.given_patch.size());

@@ -82,7 +82,7 @@ public:
   void finer()
   {
     constexpr double enough = 0.85, fewer = 0.9, many_more = 6;
-    const double growth = double(s_.mesh.number_of_faces()) / given_.mesh().number_of_faces();
+    const double growth = double(s_.mesh.number_of_faces()) / given_.number_of_faces();
     if(growth < fewer || growth > many_more || is_anything_frozen(s_)) return;
     if(efficiency(s_) > enough && !is_poor(s_)) return;
     keep_this();

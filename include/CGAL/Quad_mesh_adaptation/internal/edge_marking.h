@@ -206,19 +206,34 @@ inline double split_wish(const Adaptation_state& s, const Marking_options& o, In
   return split_wish(split_ratio(s, o, h));
 }
 
-// The ratios of all edges, by the lower of their half-edges.
-inline std::vector<double> split_ratios(const Adaptation_state& s, const Marking_options& o)
+// Does an edge of that ratio ask for a split?
+inline bool asks_for_split(double ratio) { return std::isfinite(ratio) && ratio * ratio > 2; }
+
+// The ratios of all edges, by the lower of their half-edges; infinite, if only the part of the mesh
+// to work on is asked for, where an edge leaves that.
+inline std::vector<double> split_ratios(const Adaptation_state& s, const Marking_options& o,
+                                        bool only_inside)
 {
   const Quad_complex& m = s.mesh;
   std::vector<double> ratio(4 * std::size_t(m.face_end()), 0.);
-  for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && !(m.opposite(h) >= 0 && m.opposite(h) < h))
-      ratio[h] = split_ratio(s, o, h);
+  for(Index h = 0; h < 4 * m.face_end(); ++h) {
+    if(!m.is_face(m.face(h)) || (m.opposite(h) >= 0 && m.opposite(h) < h)) continue;
+    const bool is_inside = s.is_to_work_on(m.origin(h)) && s.is_to_work_on(m.target(h));
+    ratio[h] =
+        only_inside && !is_inside ? std::numeric_limits<double>::infinity() : split_ratio(s, o, h);
+  }
   return ratio;
 }
 
-// Does an edge of that ratio ask for a split?
-inline bool asks_for_split(double ratio) { return std::isfinite(ratio) && ratio * ratio > 2; }
+// The same as wishes; none if no edge asks for a split.
+inline std::vector<double> split_wishes(const Adaptation_state& s, const Marking_options& o,
+                                        bool only_inside)
+{
+  std::vector<double> wish = split_ratios(s, o, only_inside);
+  if(std::none_of(wish.begin(), wish.end(), asks_for_split)) return {};
+  for(double& w : wish) w = split_wish(w);
+  return wish;
+}
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

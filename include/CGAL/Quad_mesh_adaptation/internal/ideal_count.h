@@ -23,24 +23,33 @@ inline double triangle_area(const Triangle& t)
   return 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
 }
 
-// Every quad cut along its shorter diagonal.
-inline std::vector<Triangle> triangles_of(const std::vector<Vec>& points,
-                                          const std::vector<Quad>& quads)
+// The two triangles of a quad cut along its shorter diagonal.
+inline std::array<Triangle, 2> halves(const Vec& a, const Vec& b, const Vec& c, const Vec& d)
 {
-  std::vector<Triangle> triangles;
-  triangles.reserve(2 * quads.size());
-  for(const Quad& q : quads) {
-    const Vec &a = points[q[0]], &b = points[q[1]], &c = points[q[2]], &d = points[q[3]];
-    if((c - a) * (c - a) <= (d - b) * (d - b)) {
-      triangles.push_back({ a, b, c });
-      triangles.push_back({ a, c, d });
-    } else {
-      triangles.push_back({ a, b, d });
-      triangles.push_back({ b, c, d });
-    }
-  }
-  return triangles;
+  if((c - a) * (c - a) <= (d - b) * (d - b)) return { { { a, b, c }, { a, c, d } } };
+  return { { { a, b, d }, { b, c, d } } };
 }
+
+// Triangles that are made when they are asked for, by number.
+class Quad_halves
+{
+public:
+  Quad_halves(const std::vector<Vec>& points, const std::vector<Quad>& quads)
+      : points_(points), quads_(quads)
+  {
+  }
+
+  std::size_t size() const { return 2 * quads_.size(); }
+  Triangle operator[](std::size_t i) const
+  {
+    const Quad& q = quads_[i / 2];
+    return halves(points_[q[0]], points_[q[1]], points_[q[2]], points_[q[3]])[i % 2];
+  }
+
+private:
+  const std::vector<Vec>& points_;
+  const std::vector<Quad>& quads_;
+};
 
 struct Integral_and_error
 {
@@ -76,37 +85,30 @@ inline void append_quarters(const Triangle& t, std::vector<Triangle>& parts)
   parts.push_back({ ab, bc, ca });
 }
 
-// Number of ideal faces: the integral of 1/h^2 over the triangles, refined where the error
-// estimate is large until the sum of estimates is below 3e-4 of the value.  A few large triangles
-// are first cut into at least 16384, lest a narrow dip of the size between the sample points be
-// missed.  At most about 4 n + 4e6 evaluations of the size for n triangles.
-inline double ideal_number_of_faces(std::vector<Triangle> triangles, const Size_function& size)
+// The integral over triangles, refined from round to round.
+class Ideal_count
 {
-  constexpr double tolerance = 3e-4;
-  constexpr std::size_t least_triangles = 16384, most_extra_triangles = 1000000;
-  while(!triangles.empty() && triangles.size() < least_triangles) {
-    std::vector<Triangle> parts;
-    parts.reserve(4 * triangles.size());
-    for(const Triangle& t : triangles) append_quarters(t, parts);
-    triangles.swap(parts);
-  }
+public:
+  explicit Ideal_count(const Size_function& size) : size_(size) {}
 
-  double done = 0, done_error = 0;
-  std::size_t extra = 0;
-  while(!triangles.empty()) {
+  // One round: those of the triangles whose quarters are to be looked at; none in the end.
+  template <typename Triangles>
+  std::vector<Triangle> round(const Triangles& triangles)
+  {
     std::vector<Integral_and_error> found(triangles.size());
     double open = 0, open_error = 0;
-    for(std::size_t i = 0; i < triangles.size(); ++i) {
-      found[i] = inverse_square_on(triangles[i], size);
+    for(std::size_t i = 0; i < found.size(); ++i) {
+      found[i] = inverse_square_on(triangles[i], size_);
       open += found[i].value;
       open_error += found[i].error;
     }
-    const double allowed = tolerance * (done + open);
-    if(!(done_error + open_error > allowed)) return done + open; // also ends on infinite values
-    const double share = 0.25 * allowed / double(triangles.size());
+    value_ = done_ + open;
     std::vector<Triangle> parts;
+    const double allowed = tolerance * value_;
+    if(!(done_error_ + open_error > allowed)) return parts; // also ends on infinite values
+    const double share = 0.25 * allowed / double(found.size());
     double settled = 0, settled_error = 0;
-    for(std::size_t i = 0; i < triangles.size(); ++i) {
+    for(std::size_t i = 0; i < found.size(); ++i) {
       if(found[i].error > share)
         append_quarters(triangles[i], parts);
       else {
@@ -114,13 +116,46 @@ inline double ideal_number_of_faces(std::vector<Triangle> triangles, const Size_
         settled_error += found[i].error;
       }
     }
-    extra += parts.size();
-    if(extra > most_extra_triangles) return done + open;
-    done += settled;
-    done_error += settled_error;
-    triangles.swap(parts);
+    extra_ += parts.size();
+    if(extra_ > most_extra_triangles) return {};
+    done_ += settled;
+    done_error_ += settled_error;
+    return parts;
   }
-  return done;
+
+  double value() const { return value_; }
+
+private:
+  static constexpr double tolerance = 3e-4;
+  static constexpr std::size_t most_extra_triangles = 1000000;
+
+  const Size_function& size_;
+  double value_ = 0, done_ = 0, done_error_ = 0;
+  std::size_t extra_ = 0;
+};
+
+// Number of ideal faces: the integral of 1/h^2 over the triangles, refined where the error
+// estimate is large until the sum of estimates is below 3e-4 of the value.  A few large triangles
+// are first cut into at least 16384, lest a narrow dip of the size between the sample points be
+// missed.  At most about 4 n + 4e6 evaluations of the size for n triangles.
+template <typename Triangles>
+double ideal_number_of_faces(const Triangles& triangles, const Size_function& size)
+{
+  constexpr std::size_t least_triangles = 16384;
+  Ideal_count count(size);
+  std::vector<Triangle> parts;
+  if(triangles.size() >= least_triangles)
+    parts = count.round(triangles);
+  else
+    for(std::size_t i = 0; i < triangles.size(); ++i) parts.push_back(triangles[i]);
+  while(triangles.size() < least_triangles && !parts.empty() && parts.size() < least_triangles) {
+    std::vector<Triangle> quarters;
+    quarters.reserve(4 * parts.size());
+    for(const Triangle& t : parts) append_quarters(t, quarters);
+    parts.swap(quarters);
+  }
+  while(!parts.empty()) parts = count.round(parts);
+  return count.value();
 }
 
 } // namespace internal

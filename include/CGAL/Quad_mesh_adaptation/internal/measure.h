@@ -19,19 +19,21 @@ namespace internal {
 // uses are ignored.  Sizes are taken as they come: a caller who doubts them checks in `size`,
 // whose exceptions pass through.  The ideal number of faces is integrated over
 // `reference_triangles`, or over the mesh itself without them.  `max_distance_to_reference` is
-// left at 0.
+// left at 0.  Strict size ratios that are known, one for each quad, need not be worked out again.
 // Preconditions: indices are in range; the mesh may be non-manifold.
 inline Mesh_measures measure(const std::vector<Vec>& points, const std::vector<Quad>& quads,
                              const Size_function& size,
-                             const std::vector<Triangle>* reference_triangles = nullptr)
+                             const std::vector<Triangle>* reference_triangles = nullptr,
+                             const std::vector<double>* strict_ratios = nullptr)
 {
   Mesh_measures m;
   measure_topology(points.size(), quads, m);
   if(quads.empty()) return m;
   measure_quality(points, quads, m);
-  measure_sizes(points, quads, size, m);
-  m.ideal_number_of_faces = ideal_number_of_faces(
-      reference_triangles ? *reference_triangles : triangles_of(points, quads), size);
+  measure_sizes(points, quads, size, strict_ratios, m);
+  m.ideal_number_of_faces = reference_triangles
+                                ? ideal_number_of_faces(*reference_triangles, size)
+                                : ideal_number_of_faces(Quad_halves(points, quads), size);
   m.efficiency = m.ideal_number_of_faces / double(quads.size());
   return m;
 }

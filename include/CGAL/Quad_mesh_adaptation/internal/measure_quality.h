@@ -16,39 +16,58 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-struct Face_quality
-{
-  double scaled_jacobian;      // Verdict; 0 for a face with a zero edge or without a normal
-  double min_angle, max_angle; // radians, a reflex corner counts as more than pi
-  double warp;                 // see Mesh_measures
-};
-
 // The side from which a corner turns left is given by the cross product of the face's principal
 // axes, as in the Verdict library.
-inline Face_quality face_quality(const std::array<Vec, 4>& p)
+class Quality_meter
 {
-  constexpr double pi = 3.14159265358979323846;
-  std::array<Vec, 4> edge;
-  for(int i = 0; i < 4; ++i) edge[i] = p[(i + 1) % 4] - p[i];
-  const Vec normal = normalized(cross(edge[0] - edge[2], edge[1] - edge[3]));
-
-  Face_quality q = { std::numeric_limits<double>::infinity(),
-                     std::numeric_limits<double>::infinity(), 0., warp(p) };
-  for(int i = 0; i < 4; ++i) {
-    const Vec& in = edge[(i + 3) % 4];
-    const Vec& out = edge[i];
-    const Vec turn = cross(in, out);
-    const double signed_area = dot(turn, normal);
-    const double lengths = norm(in) * norm(out);
-    q.scaled_jacobian =
-        (std::min)(q.scaled_jacobian, lengths > 1e-300 ? signed_area / lengths : 0.);
-    double angle = std::atan2(norm(turn), -dot(in, out));
-    if(signed_area < 0) angle = 2 * pi - angle;
-    q.min_angle = (std::min)(q.min_angle, angle);
-    q.max_angle = (std::max)(q.max_angle, angle);
+public:
+  // Returns the scaled Jacobian: Verdict's; 0 for a face with a zero edge or without a normal.
+  double add(const std::array<Vec, 4>& p)
+  {
+    std::array<Vec, 4> edge;
+    std::array<double, 4> length;
+    for(int i = 0; i < 4; ++i) {
+      edge[i] = p[(i + 1) % 4] - p[i];
+      length[i] = norm(edge[i]);
+    }
+    const Vec normal = normalized(cross(edge[0] - edge[2], edge[1] - edge[3]));
+    max_warp_ = (std::max)(max_warp_, warp(p));
+    double least = std::numeric_limits<double>::infinity();
+    for(int i = 0; i < 4; ++i) {
+      const int j = (i + 3) % 4;
+      const Vec turn = cross(edge[j], edge[i]);
+      const double signed_area = dot(turn, normal), lengths = length[j] * length[i];
+      least = (std::min)(least, lengths > 1e-300 ? signed_area / lengths : 0.);
+      add_angle(turn, -dot(edge[j], edge[i]), signed_area, lengths);
+    }
+    return least;
   }
-  return q;
-}
+
+  // Radians; a reflex corner counts as more than pi.
+  double min_angle() const { return min_angle_; }
+  double max_angle() const { return max_angle_; }
+  double max_warp() const { return max_warp_; }
+
+private:
+  // Its cosine tells of most corners that their angle is neither the smallest nor the largest.
+  void add_angle(const Vec& turn, double product, double signed_area, double lengths)
+  {
+    constexpr double margin = 1e-12, pi = 3.14159265358979323846;
+    if(signed_area > 0 && product < (max_cosine_ - margin) * lengths &&
+       product > (min_cosine_ + margin) * lengths)
+      return;
+    double angle = std::atan2(norm(turn), product);
+    if(signed_area < 0) angle = 2 * pi - angle;
+    min_angle_ = (std::min)(min_angle_, angle);
+    max_angle_ = (std::max)(max_angle_, angle);
+    if(!(signed_area > 0) || !(lengths > 0)) return;
+    max_cosine_ = (std::max)(max_cosine_, product / lengths);
+    min_cosine_ = (std::min)(min_cosine_, product / lengths);
+  }
+
+  double min_angle_ = std::numeric_limits<double>::infinity(), max_angle_ = 0, max_warp_ = 0;
+  double max_cosine_ = -1, min_cosine_ = 1; // of the corners that turn left
+};
 
 // The given percentile of a non-empty sample, linear between neighbouring ranks; reorders it.
 inline double percentile(std::vector<double>& sample, double percent)
@@ -69,21 +88,20 @@ inline void measure_quality(const std::vector<Vec>& points, const std::vector<Qu
   constexpr double degrees = 180. / 3.14159265358979323846;
   std::vector<double> jacobians;
   jacobians.reserve(quads.size());
-  double sum = 0, min_angle = std::numeric_limits<double>::infinity(), max_angle = 0;
+  double sum = 0;
+  Quality_meter meter;
   for(const Quad& f : quads) {
-    const Face_quality q = face_quality({ points[f[0]], points[f[1]], points[f[2]], points[f[3]] });
-    jacobians.push_back(q.scaled_jacobian);
-    sum += q.scaled_jacobian;
-    if(!(q.scaled_jacobian > 0)) ++m.inverted_faces;
-    min_angle = (std::min)(min_angle, q.min_angle);
-    max_angle = (std::max)(max_angle, q.max_angle);
-    m.max_warp = (std::max)(m.max_warp, q.warp);
+    const double jacobian = meter.add({ points[f[0]], points[f[1]], points[f[2]], points[f[3]] });
+    jacobians.push_back(jacobian);
+    sum += jacobian;
+    if(!(jacobian > 0)) ++m.inverted_faces;
   }
   m.min_scaled_jacobian = *std::min_element(jacobians.begin(), jacobians.end());
   m.mean_scaled_jacobian = sum / double(quads.size());
   m.p5_scaled_jacobian = percentile(jacobians, 5.);
-  m.min_angle = min_angle * degrees;
-  m.max_angle = max_angle * degrees;
+  m.min_angle = meter.min_angle() * degrees;
+  m.max_angle = meter.max_angle() * degrees;
+  m.max_warp = meter.max_warp();
 }
 
 } // namespace internal

@@ -85,14 +85,16 @@ private:
 };
 
 inline void measure_sizes(const std::vector<Vec>& points, const std::vector<Quad>& quads,
-                          const Size_function& size, Mesh_measures& m)
+                          const Size_function& size, const std::vector<double>* strict_ratios,
+                          Mesh_measures& m)
 {
   Size_ratio_counter at_centre, strict;
-  for(const Quad& f : quads) {
+  for(std::size_t i = 0; i < quads.size(); ++i) {
+    const Quad& f = quads[i];
     const std::array<Vec, 4> p = { points[f[0]], points[f[1]], points[f[2]], points[f[3]] };
     const double mean_length = face_size(p), h = size(face_centre(p));
     at_centre.add(mean_length / h);
-    strict.add(mean_length / strict_size(p, size, h));
+    strict.add(strict_ratios ? (*strict_ratios)[i] : mean_length / strict_size(p, size, h));
   }
   m.size_ratio = at_centre.result();
   m.strict_size_ratio = strict.result();

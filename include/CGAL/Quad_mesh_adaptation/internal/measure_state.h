@@ -31,24 +31,32 @@ inline Mesh_measures measure_state(const Adaptation_state& s,
 {
   std::vector<Vec> points(s.mesh.vertex_end(), Vec(0, 0, 0));
   std::vector<Quad> quads;
+  quads.reserve(s.mesh.number_of_faces());
   double far = 0;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
     if(!s.mesh.is_vertex(v)) continue;
     Vertex_record r = s.mesh.vertex(v);
     points[v] = r.p;
-    s.place(r);
+    s.put_on_carrier(r);
     far = (std::max)(far, distance(points[v], r.p));
   }
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f)) quads.push_back(s.mesh.quad(f));
   const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
-  Mesh_measures m;
-  if(reference) {
-    const std::vector<Triangle> triangles = corner_points(*reference);
-    m = measure(points, quads, size, &triangles);
-  } else {
-    m = measure(points, quads, size);
+  std::vector<double> strict; // they are asked for before and after this, too
+  if(s.size.sampling == Size_sampling::strict) {
+    strict.reserve(quads.size());
+    for(Index f = 0; f < s.mesh.face_end(); ++f)
+      if(s.mesh.is_face(f)) strict.push_back(s.size_ratio(f) * s.size.scale());
   }
+  std::optional<std::vector<Triangle>> triangles;
+  if(reference) triangles = corner_points(*reference);
+  Mesh_measures m = measure(points, quads, size, triangles ? &*triangles : nullptr,
+                            strict.empty() ? nullptr : &strict);
+  triangles.reset(); // distances need the memory
+  points = std::vector<Vec>();
+  quads = std::vector<Quad>();
+  strict = std::vector<double>();
   m.max_distance_to_reference = far;
   const Distance_measure distances(s);
   m.mesh_to_reference = distances.to_reference();

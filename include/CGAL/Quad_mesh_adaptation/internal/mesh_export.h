@@ -12,6 +12,8 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -30,7 +32,6 @@ class Mesh_export
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using face_descriptor = typename Traits::face_descriptor;
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  using Edge_key = std::pair<Index, Index>;
 
 public:
   Mesh_export(QuadMesh& mesh, VertexPointMap vpm, EdgeConstrainedMap ecm, const Input_mesh& in,
@@ -43,6 +44,7 @@ public:
   {
     find_changed_faces();
     remember_old_edges();
+    make_room();
     make_vertices();
     make_edges();
     remove_old_faces();
@@ -59,6 +61,12 @@ public:
   }
 
 private:
+  struct Old_edge
+  {
+    Index target;
+    halfedge_descriptor halfedge;
+  };
+
   static halfedge_descriptor null() { return Traits::null_halfedge(); }
 
   bool was_face(Index f) const { return f < Index(in_.quads.size()); }
@@ -77,16 +85,23 @@ private:
     }
   }
 
-  // The half-edges of changed faces, by their ends; and, where the border leaves the region at an
-  // end, the neighbours along it.
+  // The half-edges of changed faces, by where they start; and, where the border leaves the region
+  // at an end, the neighbours along it.
   void remember_old_edges()
   {
+    first_edge_.assign(in_.points.size() + 1, 0);
+    for(std::size_t f = 0; f < in_.quads.size(); ++f)
+      if(changed_[f])
+        for(Index u : in_.quads[f]) ++first_edge_[u + 1];
+    std::partial_sum(first_edge_.begin(), first_edge_.end(), first_edge_.begin());
+    old_edges_.resize(first_edge_.back());
+    std::vector<Index> place(first_edge_.begin(), first_edge_.end() - 1);
     for(std::size_t f = 0; f < in_.quads.size(); ++f) {
       if(!changed_[f]) continue;
       halfedge_descriptor h = old_.first_halfedge[f];
       for(int i = 0; i < 4; ++i, h = next(h, mesh_)) {
         const Index u = in_.quads[f][i], v = in_.quads[f][(i + 1) & 3];
-        old_edges_.push_back({ { u, v }, h });
+        old_edges_[place[u]++] = { v, h };
         const halfedge_descriptor o = opposite(h, mesh_);
         if(!is_border(o, mesh_)) continue;
         border_after_.push_back({ u, next(o, mesh_) });
@@ -94,14 +109,16 @@ private:
       }
     }
     const auto less = [](const auto& a, const auto& b) { return a.first < b.first; };
-    std::stable_sort(old_edges_.begin(), old_edges_.end(), less);
     std::stable_sort(border_after_.begin(), border_after_.end(), less);
     std::stable_sort(border_before_.begin(), border_before_.end(), less);
   }
 
   halfedge_descriptor old_halfedge(Index u, Index v) const
   {
-    return lookup(old_edges_, Edge_key(u, v));
+    if(u >= Index(in_.points.size())) return null();
+    for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i)
+      if(old_edges_[i].target == v) return old_edges_[i].halfedge;
+    return null();
   }
 
   template <typename List, typename Key>
@@ -110,6 +127,30 @@ private:
     const auto it = std::lower_bound(list.begin(), list.end(), key,
                                      [](const auto& a, const Key& k) { return a.first < k; });
     return it != list.end() && it->first == key ? it->second : null();
+  }
+
+  // Arrays that grow as they like may take twice what is needed.
+  void make_room()
+  {
+    std::size_t vertices = 0, faces = 0;
+    for(Index v = Index(in_.points.size()); v < m_.vertex_end(); ++v) vertices += m_.is_vertex(v);
+    for(Index f = 0; f < m_.face_end(); ++f) faces += m_.is_face(f) && changed_[f];
+    const std::size_t removed = std::size_t(std::count(changed_.begin(), changed_.end(), 1));
+    if(faces > removed)
+      reserve_in(mesh_, num_vertices(mesh_) + vertices, num_edges(mesh_) + 2 * faces,
+                 num_faces(mesh_) + faces, 0);
+  }
+
+  // For models that have it.
+  template <typename Graph>
+  static auto reserve_in(Graph& g, std::size_t vertices, std::size_t edges, std::size_t faces, int)
+      -> decltype(reserve(g, vertices, edges, faces), void())
+  {
+    reserve(g, vertices, edges, faces);
+  }
+  template <typename Graph>
+  static void reserve_in(Graph&, std::size_t, std::size_t, std::size_t, long)
+  {
   }
 
   void make_vertices()
@@ -165,10 +206,11 @@ private:
       }
     // old edges are kept where the new mesh uses them, or a face that did not change
     keep_.assign(old_edges_.size(), 0);
-    for(std::size_t i = 0; i < old_edges_.size(); ++i) {
-      const auto& [u, v] = old_edges_[i].first;
-      keep_[i] = m_.is_vertex(u) && m_.is_vertex(v) && m_.are_adjacent(u, v);
-    }
+    for(Index u = 0; u < Index(in_.points.size()); ++u)
+      for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i) {
+        const Index v = old_edges_[i].target;
+        keep_[i] = m_.is_vertex(u) && m_.is_vertex(v) && m_.are_adjacent(u, v);
+      }
     for(face_descriptor f : old_faces_) remove_face(f, mesh_);
   }
 
@@ -228,11 +270,12 @@ private:
 
   void remove_old_edges_and_vertices()
   {
-    for(std::size_t i = 0; i < old_edges_.size(); ++i) {
-      const auto& [key, h] = old_edges_[i];
-      const bool twice = key.first > key.second && old_halfedge(key.second, key.first) != null();
-      if(!keep_[i] && !twice) remove_edge(edge(h, mesh_), mesh_);
-    }
+    for(Index u = 0; u < Index(in_.points.size()); ++u)
+      for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i) {
+        const Old_edge& e = old_edges_[i];
+        const bool twice = u > e.target && old_halfedge(e.target, u) != null();
+        if(!keep_[i] && !twice) remove_edge(edge(e.halfedge, mesh_), mesh_);
+      }
     for(Index v = 0; v < Index(in_.points.size()); ++v)
       if(!m_.is_vertex(v)) remove_vertex(old_.vertices[v], mesh_);
   }
@@ -248,7 +291,8 @@ private:
   std::vector<halfedge_descriptor> halfedge_of_;
   std::vector<vertex_descriptor> vertex_of_;
   std::vector<face_descriptor> old_faces_;
-  std::vector<std::pair<Edge_key, halfedge_descriptor>> old_edges_;
+  std::vector<Index> first_edge_; // by vertex, among the next
+  std::vector<Old_edge> old_edges_;
   std::vector<std::pair<Index, halfedge_descriptor>> border_after_, border_before_;
 };
 

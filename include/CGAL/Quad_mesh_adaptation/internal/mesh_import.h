@@ -79,6 +79,12 @@ public:
       for(face_descriptor f : faces(mesh_)) put(in_region_, f, false);
       for(face_descriptor f : chosen) put(in_region_, f, true);
     }
+    if(!is_region) {
+      in.points.reserve(num_vertices(mesh_));
+      out.vertices.reserve(num_vertices(mesh_));
+      in.quads.reserve(num_faces(mesh_));
+      out.first_halfedge.reserve(num_faces(mesh_));
+    }
     long position = 0;
     for(face_descriptor f : faces(mesh_)) {
       if(!is_region || get(in_region_, f)) add_face(f, position, is_region, in, out);
@@ -87,6 +93,7 @@ public:
     if(in.quads.empty())
       throw Refused{ Refusal::empty_mesh,
                      is_region ? "the region has no faces" : "the mesh has no faces", -1 };
+    complete(in);
   }
 
 private:
@@ -110,16 +117,36 @@ private:
     for(int i = 0; i < 4; ++i, h = next(h, mesh_)) {
       q[i] = is_region ? number_in_region(h, in, out) : number(source(h, mesh_), in, out);
       const bool frozen = (is_region && leaves_region(h)) || get(efm_, edge(h, mesh_));
-      in.is_frozen.push_back(frozen);
-      in.is_constrained.push_back(get(ecm_, edge(h, mesh_)) || frozen);
+      const std::size_t number = 4 * in.quads.size() + std::size_t(i);
+      if(frozen) mark(in.is_frozen, number);
+      if(frozen || get(ecm_, edge(h, mesh_))) mark(in.is_constrained, number);
     }
     check_shape(q, position, in);
     in.quads.push_back(q);
     in.patch.push_back(patch_numbers_.number(get(fpm_, f)));
     out.first_halfedge.push_back(h0);
-    for(int i = 0; i < 4; ++i)
-      if(in.is_frozen[4 * in.quads.size() - 4 + i])
-        in.is_frozen_vertex[q[i]] = in.is_frozen_vertex[q[(i + 1) & 3]] = 1;
+    if(in.is_frozen.size() <= 4 * in.quads.size() - 4) return; // none here
+    for(int i = 0; i < 4; ++i) {
+      const std::size_t number = 4 * in.quads.size() - 4 + std::size_t(i);
+      if(number >= in.is_frozen.size() || !in.is_frozen[number]) continue;
+      mark(in.is_frozen_vertex, std::size_t(q[i]));
+      mark(in.is_frozen_vertex, std::size_t(q[(i + 1) & 3]));
+    }
+  }
+
+  // Lists of marks stay empty, or short, where there are none.
+  static void mark(std::vector<char>& list, std::size_t number)
+  {
+    if(number >= list.size()) list.resize(number + 1, 0);
+    list[number] = 1;
+  }
+
+  void complete(Input_mesh& in) const
+  {
+    for(std::vector<char>* list : { &in.is_frozen, &in.is_constrained })
+      if(!list->empty()) list->resize(4 * in.quads.size(), 0);
+    if(!in.is_frozen_vertex.empty()) in.is_frozen_vertex.resize(in.points.size(), 0);
+    if(patches().size() == 1) in.patch = std::vector<Index>();
   }
 
   // Where parts of the region meet in a vertex only, each part has its own number for it: the
@@ -181,7 +208,7 @@ private:
     }
     put(number_of_, v, n);
     in.points.push_back(p);
-    in.is_frozen_vertex.push_back(get(vcm_, v) ? 1 : 0);
+    if(get(vcm_, v)) mark(in.is_frozen_vertex, std::size_t(n));
     out.vertices.push_back(v);
     return n;
   }

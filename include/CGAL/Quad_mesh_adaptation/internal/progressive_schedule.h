@@ -76,7 +76,7 @@ inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance,
 {
   const double fine = s.smoothing.wake;
   s.smoothing.wake = 0.01; // all this will move again
-  s.stir_all();
+  stir_where_irregular(s);
   for(int round = 0; round < rounds; ++round) {
     o.tolerance = tolerance * (rounds - round) / rounds;
     clean_up_stirred(s, o, 2, 2);

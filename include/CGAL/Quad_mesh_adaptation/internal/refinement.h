@@ -47,29 +47,19 @@ inline bool is_too_fine(const Adaptation_state& s)
   return mean_square_ratio(s) < 0.75 || fraction_below(s, 0.7) > 0.01;
 }
 
-// Edges that leave the part of the mesh to work on stay as they are.
-inline void fix_edges_outside(const Adaptation_state& s, std::vector<double>& wish)
-{
-  const Quad_complex& m = s.mesh;
-  for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && !(s.is_to_work_on(m.origin(h)) && s.is_to_work_on(m.target(h))))
-      wish[h] = std::numeric_limits<double>::infinity();
-}
-
 // One conforming pass over the whole mesh: edges are halved where the size asks for it.
 // Returns the number of faces cut.
 inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
                                std::vector<Index>* infeasible = nullptr)
 {
   s.check_cancelled();
-  std::vector<double> wish = split_ratios(s, o);
-  if(std::none_of(wish.begin(), wish.end(), asks_for_split)) return 0;
-  for(double& w : wish) w = split_wish(w);
+  const bool is_local = !s.region.empty(); // then edges that leave it stay as they are, if possible
+  std::vector<double> wish = split_wishes(s, o, is_local);
+  if(wish.empty()) return 0;
   std::vector<char> split;
-  if(!s.region.empty()) {
-    std::vector<double> inside = wish;
-    fix_edges_outside(s, inside);
-    split = even_marks(s.mesh, inside, o.bend);
+  if(is_local) {
+    split = even_marks(s.mesh, wish, o.bend);
+    if(split.empty()) wish = split_wishes(s, o, false);
   }
   if(split.empty()) split = even_marks(s.mesh, wish, o.bend, infeasible);
   return split.empty() ? 0 : Split_templates(s, split)();

@@ -171,19 +171,23 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     s.report_progress(1);
     report.iterations = s.iterations;
     for(const auto& o : s.operation_counts()) report.operations.push_back({ o.first, o.second });
-    s.size.scale_by(1);
-    s.forget_sizes();
+    if(s.size.scale() != 1) {
+      s.size.scale_by(1);
+      s.forget_sizes();
+    }
     const std::vector<Index> large = faces_too_large(s, largest_allowed(aim));
     judge_sizes(report, paper, aim, large.size());
     const std::vector<Index> far = bound.faces_too_far();
     judge_distances(report, bound.allowed(), far.size());
+    const std::vector<Poor_face> poor = poor_faces(s, Poor_face::floor);
+    s.forget_surface(); // its memory is needed to write
     Mesh_export<QuadMesh, decltype(vpm), decltype(ecm)> write(mesh, vpm, ecm, in, descriptors, s);
     write(); // from here on nothing of the caller's is called any more but his maps
     put_patches(s, write, import.patches(), fpm);
     Positions<decltype(write), QuadMesh> positions(write, mesh);
     report.faces_too_large = positions.of_faces(large);
     report.faces_too_far = positions.of_faces(far);
-    report.poor_faces = numbered(poor_faces(s, Poor_face::floor), write, mesh, positions);
+    report.poor_faces = numbered(poor, write, mesh, positions);
   } catch(const Refused& e) {
     report.status = e.reason == Refusal::invalid_size ? Adaptation_status::sizes_refused
                                                       : Adaptation_status::input_refused;

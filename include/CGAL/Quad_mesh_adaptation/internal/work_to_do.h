@@ -50,6 +50,36 @@ inline std::vector<float> mean_squares_about_nodes(const Adaptation_state& s,
   return sum;
 }
 
+// Of the faces of which `square` is below `limit`, those in connected places that could do with so
+// many fewer that it matters for the whole: adaptation leaves small places with a few too many, and
+// to work on all of those again would cost more than a small change does.
+inline std::vector<char> places_that_matter(const Quad_complex& m, const std::vector<float>& square,
+                                            float limit)
+{
+  const double least = double(m.number_of_faces()) / 50000;
+  std::vector<char> result(m.face_end(), 0);
+  std::vector<Index> place;
+  for(Index first = 0; first < m.face_end(); ++first) {
+    if(result[first] || !m.is_face(first) || !(square[first] < limit)) continue;
+    place.assign(1, first);
+    result[first] = 1;
+    double spare = 0;
+    for(std::size_t i = 0; i < place.size(); ++i) {
+      spare += 1 - double(square[place[i]]);
+      for(Index h = 4 * place[i]; h < 4 * place[i] + 4; ++h) {
+        const Index o = m.opposite(h);
+        if(o < 0 || result[m.face(o)] || !(square[m.face(o)] < limit)) continue;
+        result[m.face(o)] = 1;
+        place.push_back(m.face(o));
+      }
+    }
+    if(spare >= least) continue;
+    for(Index f : place) result[f] = 2; // seen, but left alone
+  }
+  for(char& c : result) c = c == 1;
+  return result;
+}
+
 // Faces among which there are clearly more than the sizes ask for, by the mean over those about the
 // corners of those about its corners.
 inline std::vector<char> faces_among_too_many(const Adaptation_state& s)
@@ -67,9 +97,7 @@ inline std::vector<char> faces_among_too_many(const Adaptation_state& s)
       square[f] = 0.25f * (about[q[0]] + about[q[1]] + about[q[2]] + about[q[3]]);
     }
   }
-  std::vector<char> result(m.face_end(), 0);
-  for(Index f = 0; f < m.face_end(); ++f) result[f] = m.is_face(f) && square[f] < too_many;
-  return result;
+  return places_that_matter(m, square, too_many);
 }
 
 // Faces about which there is something to do; those, too, that have left the surface (by half a
@@ -112,6 +140,32 @@ inline bool stay_near_work(Adaptation_state& s)
   for(Index v = 0; v < s.mesh.vertex_end(); ++v)
     if(!s.mesh.is_vertex(v)) s.region[v] = 1; // may become a new one
   return true;
+}
+
+// Where is there something to gain by operations that raise the energy at first?  Everywhere, but
+// in a mesh of which only a part is worked on, only about irregular nodes and faces that do not
+// have their size: the rest of the part has been halved and is as good as it was.
+inline void stir_where_irregular(Adaptation_state& s)
+{
+  constexpr int rings = 3;
+  constexpr double small = 0.75, large = 1.02;
+  if(s.region.empty()) return s.stir_all();
+  const auto is_irregular = [&](Index v) {
+    const Vertex_record& r = s.mesh.vertex(v);
+    return r.faces != r.ideal_faces;
+  };
+  std::vector<Index> list;
+  for(Index f = 0; f < s.mesh.face_end(); ++f) {
+    if(!s.mesh.is_face(f)) continue;
+    const Quad q = s.mesh.quad(f);
+    if(!std::any_of(q.begin(), q.end(), [&](Index v) { return s.is_to_work_on(v); })) continue;
+    const double ratio = s.size_ratio(f);
+    if(ratio < small || ratio > large || std::any_of(q.begin(), q.end(), is_irregular))
+      list.push_back(f);
+  }
+  s.stirred = nodes_around(s.mesh, list, rings);
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    if(!s.is_to_work_on(v)) s.stirred[v] = 0;
 }
 
 // The energy of the faces to work on in a good mesh must fall by this share of it for the mesh to
