@@ -5,8 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_GRADED_SIZING_FIELD_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Sample_triangles.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Triangle_tree.h>
-#include <CGAL/Quad_mesh_adaptation/internal/barycentric_weights.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Values_on_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/limit_slope.h>
 #include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
 
@@ -139,27 +138,15 @@ private:
       collect(samples, given);
       if(triangles.empty())
         throw std::invalid_argument("Graded_sizing_field: the mesh has no face with an area");
-      tree = std::make_unique<const internal::Triangle_tree>(std::move(triangles));
+      graded = std::make_unique<const internal::Values_on_triangles>(std::move(triangles));
     }
 
-    double bound_at(const Vec& p) const
-    {
-      const internal::Triangle_tree::Nearest found = tree->nearest(p);
-      const auto& t = corners[found.triangle];
-      const auto w = internal::barycentric_weights(t.points, found.point);
-      return w[0] * t.bounds[0] + w[1] * t.bounds[1] + w[2] * t.bounds[2];
-    }
+    double bound_at(const Vec& p) const { return (*graded)(p); }
 
     std::size_t number_of_samples = 0;
     double largest_spacing = 0, lowered_share = 0;
 
   private:
-    struct Corners
-    {
-      std::array<Vec, 3> points;
-      std::array<double, 3> bounds;
-    };
-
     // Grades the present samples, and adds samples where they are too far apart; false at the end.
     bool refine(internal::Sample_triangles& samples, const internal::Size_function& size,
                 double growth, std::size_t most_samples, std::vector<double>& given)
@@ -215,28 +202,23 @@ private:
     {
       double area = 0, lowered = 0;
       for(const auto& t : samples.triangles()) {
-        const Corners c = { { samples.points()[t[0]], samples.points()[t[1]],
-                              samples.points()[t[2]] },
-                            { bounds[t[0]], bounds[t[1]], bounds[t[2]] } };
-        const double twice =
-            internal::norm(internal::cross(c.points[1] - c.points[0], c.points[2] - c.points[0]));
+        const internal::Valued_triangle c = { { samples.points()[t[0]], samples.points()[t[1]],
+                                                samples.points()[t[2]] },
+                                              { bounds[t[0]], bounds[t[1]], bounds[t[2]] } };
+        const double twice = internal::norm(
+            internal::cross(c.corners[1] - c.corners[0], c.corners[2] - c.corners[0]));
         if(!(twice > 0)) continue;
         area += twice;
         for(internal::Index v : t)
           if(given[v] > 1.01 * bounds[v]) lowered += twice / 3;
-        const auto point = [&](int i) {
-          return internal::Core_kernel::Point_3(c.points[i].x(), c.points[i].y(), c.points[i].z());
-        };
-        triangles.emplace_back(point(0), point(1), point(2));
-        corners.push_back(c);
+        triangles.push_back(c);
       }
       lowered_share = area > 0 ? lowered / area : 0;
     }
 
-    std::vector<double> bounds; // of the samples
-    std::vector<Corners> corners;
-    std::vector<internal::Core_kernel::Triangle_3> triangles; // moved into the tree
-    std::unique_ptr<const internal::Triangle_tree> tree;
+    std::vector<double> bounds;                       // of the samples
+    std::vector<internal::Valued_triangle> triangles; // moved into the function
+    std::unique_ptr<const internal::Values_on_triangles> graded;
   };
 
   SizingField sizing_;

@@ -4,8 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_NODAL_SIZING_FIELD_H
 #define CGAL_QUAD_MESH_ADAPTATION_NODAL_SIZING_FIELD_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/Triangle_tree.h>
-#include <CGAL/Quad_mesh_adaptation/internal/barycentric_weights.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Values_on_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -115,11 +114,7 @@ public:
   {
     const internal::Vec p(CGAL::to_double(point.x()), CGAL::to_double(point.y()),
                           CGAL::to_double(point.z()));
-    const internal::Triangle_tree::Nearest found = data_->tree.nearest(p);
-    const std::array<Corner, 3>& t = data_->corners[found.triangle];
-    const std::array<double, 3> w =
-        internal::barycentric_weights({ t[0].point, t[1].point, t[2].point }, found.point);
-    return std::exp(w[0] * t[0].log_size + w[1] * t[1].log_size + w[2] * t[2].log_size);
+    return std::exp((*log_sizes_)(p));
   }
 
 private:
@@ -130,24 +125,14 @@ private:
     Vec point;
     double log_size;
   };
-  struct Soup
-  {
-    std::vector<internal::Core_kernel::Triangle_3> triangles;
-    std::vector<std::array<Corner, 3>> corners;
-  };
-  struct Data
-  {
-    explicit Data(Soup soup) : corners(std::move(soup.corners)), tree(std::move(soup.triangles)) {}
-    std::vector<std::array<Corner, 3>> corners;
-    internal::Triangle_tree tree;
-  };
+  using Soup = std::vector<internal::Valued_triangle>;
 
   void set_data(Soup soup)
   {
-    if(soup.triangles.empty())
+    if(soup.empty())
       throw std::invalid_argument(
           "Nodal_sizing_field: the background mesh has no face with an area");
-    data_ = std::make_shared<const Data>(std::move(soup));
+    log_sizes_ = std::make_shared<const internal::Values_on_triangles>(std::move(soup));
   }
 
   static Corner checked_corner(const Vec& p, double size)
@@ -167,12 +152,9 @@ private:
   // Triangles without an area are left out: nothing can lie inside them.
   static void add(const Corner& a, const Corner& b, const Corner& c, Soup& soup)
   {
-    if(!(internal::norm(area_vector(a, b, c)) > 0)) return;
-    const auto point = [](const Corner& k) {
-      return internal::Core_kernel::Point_3(k.point.x(), k.point.y(), k.point.z());
-    };
-    soup.triangles.emplace_back(point(a), point(b), point(c));
-    soup.corners.push_back({ a, b, c });
+    const internal::Valued_triangle t = { { a.point, b.point, c.point },
+                                          { a.log_size, b.log_size, c.log_size } };
+    if(t.has_area()) soup.push_back(t);
   }
 
   static void triangulate(const std::vector<Corner>& p, Soup& soup)
@@ -197,7 +179,7 @@ private:
     for(std::size_t i = 0; i < p.size(); ++i) add(mean, p[i], p[(i + 1) % p.size()], soup);
   }
 
-  std::shared_ptr<const Data> data_;
+  std::shared_ptr<const internal::Values_on_triangles> log_sizes_;
 };
 
 } // namespace Quad_mesh_adaptation
