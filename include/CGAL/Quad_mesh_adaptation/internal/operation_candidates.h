@@ -4,9 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/energy_bounds.h>
-#include <CGAL/Quad_mesh_adaptation/internal/operators/border_half_ring.h>
-#include <CGAL/Quad_mesh_adaptation/internal/operators/crease_collapse.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_operation_bounds.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_open.h>
@@ -249,49 +247,20 @@ private:
 
   void collect_border()
   {
-    const Quad_complex& m = s_.mesh;
-    const Border_pair& b = pair_;
-    const double ends = s_.cached_energy(m.face(b.left)) + s_.cached_energy(m.face(b.right));
-    const double split = 6 * s_.energy.face + 2 * s_.energy.valence +
-                         bounds_.valence_change(b.p, 1) + bounds_.valence_change(b.q, 1) - ends;
-    if(split < options_.tolerance - s_.energy.min_gain && is_border_split_allowed(s_, b))
-      add(Operation_kind::border_split, b.v, -1, split);
-    if(!is_half_ring_collapse_allowed(s_, b)) return;
-    const auto own = [&](Index u) { return s_.valence_energy(m.vertex(u).faces, m.vertex(u)); };
-    const bool corner = carrier_rank(m.vertex(b.a)) > 1 || carrier_rank(m.vertex(b.c)) > 1;
-    const Index keep = carrier_rank(m.vertex(b.a)) > 1   ? b.a
-                       : carrier_rank(m.vertex(b.c)) > 1 ? b.c
-                                                         : b.v;
-    const int faces = m.vertex(b.a).faces + m.vertex(b.c).faces + m.vertex(b.m).faces - 4;
-    double collapse = -2 * s_.energy.face + s_.valence_energy(faces, m.vertex(keep)) - own(b.a) -
-                      own(b.c) - own(b.m) - (corner ? 0. : own(b.v)) +
-                      bounds_.valence_change(b.p, -1) + bounds_.valence_change(b.q, -1);
-    collapse -=
-        bounds_.slack(b.a) + bounds_.slack(b.c) + bounds_.slack(b.m) - (ends - 2 * s_.energy.face);
-    if(faces <= options_.max_valence) add(Operation_kind::border_collapse, b.v, -1, collapse);
+    if(is_border_split_allowed(s_, pair_))
+      add(Operation_kind::border_split, pair_.v, -1, border_split_bound(s_, bounds_, pair_));
+    if(is_half_ring_collapse_allowed(s_, pair_) &&
+       faces_after_half_ring(s_.mesh, pair_) <= options_.max_valence)
+      add(Operation_kind::border_collapse, pair_.v, -1, half_ring_bound(s_, bounds_, pair_));
   }
 
   void collect_crease_collapse()
   {
-    const Quad_complex& m = s_.mesh;
-    const Index a = crease_.first(m), c = crease_.last(m), keep = kept_node(m, crease_);
-    const int faces = m.vertex(a).faces + m.vertex(c).faces + int(out_.size()) - 6;
-    if(faces > (std::max)(options_.max_valence, int(m.vertex(crease_.v).faces))) return;
-    double bound = -2 * s_.energy.face + s_.valence_energy(faces, m.vertex(keep));
-    for(Index u : { a, c, crease_.v }) {
-      const Vertex_record& r = m.vertex(u);
-      bound -= s_.valence_energy(r.faces, r) + side_energy(s_, side_difference(s_, u)) +
-               bounds_.slack(u);
-    }
-    for(const std::vector<Index>& side : crease_.spokes)
-      for(std::size_t i = 0; i + 1 < side.size(); ++i) {
-        const bool is_first = i == 0, is_last = i + 2 == side.size();
-        if(!is_first) bound += bounds_.valence_change(m.target(side[i]), -1);
-        if(is_first == is_last)
-          bound += bounds_.valence_change(m.target(m.next(side[i])), is_first ? -1 : 1);
-      }
-    if(bound < options_.tolerance - s_.energy.min_gain && is_crease_collapse_allowed(s_, crease_))
-      add(Operation_kind::crease_collapse, crease_.v, -1, bound);
+    const int before = s_.mesh.vertex(crease_.v).faces;
+    if(faces_after_crease_collapse(s_.mesh, crease_) <= (std::max)(options_.max_valence, before) &&
+       is_crease_collapse_allowed(s_, crease_))
+      add(Operation_kind::crease_collapse, crease_.v, -1,
+          crease_collapse_bound(s_, bounds_, crease_));
   }
 
   // A node on a curve, no corner, with one flat face on a side.
