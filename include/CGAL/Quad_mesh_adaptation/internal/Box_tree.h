@@ -74,25 +74,26 @@ public:
     const Vec q = inverse_ * (p - origin_);
     // of the boxes, which are rounded outwards
     const double scale = (1 - 1e-12) / (inverse_ * inverse_);
-    Part stack[2 * most_levels];
+    Part waiting[most_levels]; // the farther halves on the way down
     int top = 0;
-    stack[top++] = { 0, 0, order_.size(), scale * boxes_[0].squared_distance(q) };
-    while(top > 0) {
-      const Part part = stack[--top];
-      if(!(part.distance2 < least)) continue;
-      if(part.box >= first_leaf_) {
+    Part part = { 0, 0, order_.size(), scale * boxes_[0].squared_distance(q) };
+    while(true) {
+      // down, always into the nearer half
+      while(part.distance2 < least && part.box < first_leaf_) {
+        const std::size_t middle = part.first + (part.last - part.first) / 2;
+        Part near = { 2 * part.box + 1, part.first, middle, 0 };
+        Part far = { 2 * part.box + 2, middle, part.last, 0 };
+        near.distance2 = scale * boxes_[near.box].squared_distance(q);
+        far.distance2 = scale * boxes_[far.box].squared_distance(q);
+        if(far.distance2 < near.distance2) std::swap(near, far);
+        if(far.distance2 < least) waiting[top++] = far;
+        part = near;
+      }
+      if(part.distance2 < least)
         for(std::size_t i = part.first; i < part.last; ++i)
           look_at(order_[i], p, corners, accept, best, least);
-        continue;
-      }
-      const std::size_t middle = part.first + (part.last - part.first) / 2;
-      Part left = { 2 * part.box + 1, part.first, middle, 0 };
-      Part right = { 2 * part.box + 2, middle, part.last, 0 };
-      left.distance2 = scale * boxes_[left.box].squared_distance(q);
-      right.distance2 = scale * boxes_[right.box].squared_distance(q);
-      if(left.distance2 <= right.distance2) std::swap(left, right);
-      stack[top++] = left; // the nearer one is taken first
-      stack[top++] = right;
+      if(top == 0) break;
+      part = waiting[--top];
     }
     return best;
   }
