@@ -160,6 +160,7 @@ private:
     face_of_ = triangles.face_of();
     mesh_ = triangles.surface(false);
     find_starts();
+    find_places();
     measure_triangles();
     if(is_careful_ || from_reference_.settle(mesh_)) return;
     asks_tree_ = true;
@@ -202,10 +203,31 @@ private:
       }
   }
 
+  void find_places()
+  {
+    place_of_.assign(s_.mesh.face_end(), -1);
+    for(std::size_t k = 0; k < face_of_.size(); ++k) place_of_[face_of_[k]] = Index(k);
+  }
+
+  // The triangle of the mesh that is the same as triangle t, if that is one of an input that is its
+  // own reference and the face has been left as it was; else -1.
+  Index same_triangle(Index t) const
+  {
+    const Index f = t / 2;
+    if(s_.surface.has_lift() || f >= Index(place_of_.size()) || place_of_[f] < 0) return -1;
+    const Index same = 2 * place_of_[f] + t % 2;
+    return mesh_.triangle(same) == s_.surface.triangle(t) ? same : Index(-1);
+  }
+
   void measure_triangle(Index t)
   {
     const std::array<Index, 3> corners = s_.surface.triangles()[t];
     const std::array<Vec, 3> c = s_.surface.triangle(t);
+    if(const Index same = same_triangle(t); same >= 0) {
+      for(Index v : corners)
+        if(foot_[v] < 0) foot_[v] = same;
+      return; // no point is off it
+    }
     Index hint = start_[t];
     for(Index v : corners)
       if(foot_[v] >= 0) hint = foot_[v];
@@ -259,10 +281,11 @@ private:
   bool is_careful_, asks_tree_ = false;
   std::vector<double> of_face_;
   Largest_distance to_reference_, from_reference_;
-  Reference_surface mesh_;     // the faces, each cut in two
-  std::vector<Index> face_of_; // of each pair of triangles
-  std::vector<Index> start_;   // by triangle of the reference: one of the mesh near it, or -1
-  std::vector<Index> foot_;    // by vertex of the reference: the triangle nearest to it
+  Reference_surface mesh_;      // the faces, each cut in two
+  std::vector<Index> face_of_;  // of each pair of triangles
+  std::vector<Index> place_of_; // among those, by face
+  std::vector<Index> start_;    // by triangle of the reference: one of the mesh near it, or -1
+  std::vector<Index> foot_;     // by vertex of the reference: the triangle nearest to it
 };
 
 } // namespace internal

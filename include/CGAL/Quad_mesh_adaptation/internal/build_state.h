@@ -58,7 +58,8 @@ private:
   void make_complex()
   {
     Quad_complex& m = s_.mesh;
-    m.reserve(in_.points.size(), in_.quads.size());
+    const std::size_t n = in_.quads.size(), few = n / 16; // for small changes to come
+    m.reserve(in_.points.size() + few, n + few);
     for(std::size_t v = 0; v < in_.points.size(); ++v) {
       Vertex_record r;
       r.p = in_.points[v];

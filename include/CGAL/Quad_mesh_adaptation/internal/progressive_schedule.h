@@ -233,10 +233,10 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
 inline void run_with_detours(Adaptation_state& s, const Improvement_options& clean,
                              std::size_t max_iterations, const Schedule_ingredients& use)
 {
-  constexpr Index few_before = 10000, few_after = 2000;
+  constexpr Index few_after = 2000;
   const auto run = [&] { run_progressively(s, clean, max_iterations, use); };
   std::optional<Detours> detours;
-  if(s.mesh.number_of_faces() <= few_before && s.region.empty()) detours.emplace(s, run);
+  if(s.mesh.number_of_faces() <= without_detours && s.region.empty()) detours.emplace(s, run);
   run();
   if(!detours || s.mesh.number_of_faces() > few_after) return;
   if(use.coarsening) detours->finer();
@@ -250,7 +250,9 @@ inline void run_both_ways(Adaptation_state& s, const Improvement_options& clean,
                           std::size_t max_iterations, const Schedule_ingredients& use)
 {
   std::optional<Mesh_keeper> given;
-  if(!s.surface.is_planar()) given.emplace(s);
+  // then there are no larger sizes to choose
+  const bool is_local = s.mesh.number_of_faces() > without_detours && stay_near_work(s);
+  if(!s.surface.is_planar() && !is_local) given.emplace(s);
   run_with_detours(s, clean, max_iterations, use);
   if(!given || worst_quality(s) > 0) return;
   Mesh_keeper first(s);
