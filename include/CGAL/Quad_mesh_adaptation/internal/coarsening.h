@@ -6,20 +6,13 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/chord_coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
-#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+#include <CGAL/Quad_mesh_adaptation/internal/thinning.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// Four times as many faces as the sizes ask for, or more: what is done now will hardly be seen in
-// the end, so that in a large mesh quick work is good enough.
-inline bool is_far_too_fine(const Adaptation_state& s)
-{
-  return s.mesh.number_of_faces() > large_mesh && mean_square_ratio(s) < 0.25;
-}
 
 // Coarsening by whole chords first, then by local operations: closing a face of a regular mesh
 // makes irregular nodes, so the weight of valences is relaxed while faces are closed and set back
@@ -30,9 +23,10 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
   for(int round = 0; round < max_rounds; ++round) {
     set_floors(s); // where the mesh is too coarse it stays as it is for now
     const Index before = s.mesh.number_of_faces();
-    const bool far = is_far_too_fine(s);
     {
       Phase_scope phase(s, "coarsening");
+      thin_out(s);
+      const bool far = is_far_too_fine(s);
       coarsen_by_chords(s, 0.35, far ? 0.04 : 0);
       s.energy.valence = 0.05;
       s.forget_energies();
