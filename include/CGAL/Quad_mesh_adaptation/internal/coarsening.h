@@ -20,14 +20,15 @@ namespace internal {
 inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clean, int max_rounds)
 {
   const double strict = s.energy.valence;
+  bool was_large = false; // then the first round thins it out quickly, and floors are not renewed
   for(int round = 0; round < max_rounds; ++round) {
-    set_floors(s); // where the mesh is too coarse it stays as it is for now
+    if(!was_large) set_floors(s); // where the mesh is too coarse it stays as it is for now
     const Index before = s.mesh.number_of_faces();
     {
       Phase_scope phase(s, "coarsening");
-      thin_out(s);
-      const bool far = is_far_too_fine(s);
-      coarsen_by_chords(s, 0.35, far ? 0.04 : 0);
+      was_large = was_large || is_far_too_fine(s);
+      const bool is_thinned = thin_out(s), far = is_far_too_fine(s);
+      if(!is_thinned) coarsen_by_chords(s, 0.35, far ? 0.04 : 0);
       s.energy.valence = 0.05;
       s.forget_energies();
       Improvement_options relaxed = clean;

@@ -110,14 +110,16 @@ inline bool is_far_too_fine(const Adaptation_state& s)
 }
 
 // Thins out a large mesh that is far too fine, quickly, until it is large or too fine by little.
-inline void thin_out(Adaptation_state& s)
+// Tells whether single faces were closed, so that chords run astray now.
+inline bool thin_out(Adaptation_state& s)
 {
-  if(is_distance_limited(s) || !is_far_too_fine(s)) return;
+  if(is_distance_limited(s) || !is_far_too_fine(s)) return false;
   const Index before = s.mesh.number_of_faces();
   thin_by_chords(s);
-  if(is_far_too_fine(s)) thin_by_faces(s, 0.7);
+  const bool by_faces = is_far_too_fine(s) && thin_by_faces(s, 0.7) > 0;
   s.disturb_all();
   if(s.mesh.number_of_faces() < before) renumber_by_place(s);
+  return by_faces;
 }
 
 } // namespace internal
