@@ -176,6 +176,8 @@ public:
     }
   }
 
+  void set_origin(Index h, Index v) { origin_[h] = v; }
+
   void set_curve(Index h, Index c)
   {
     curve_[h] = c;

@@ -32,6 +32,7 @@ public:
   {
     s_.prepare_coverage();
     used_.assign(s_.mesh.vertex_end(), 0);
+    balance_ = 4;
     std::size_t removed = 0;
     for(const auto& candidate : candidates()) {
       const Index h = candidate.second;
@@ -96,6 +97,14 @@ private:
   {
     if(quick_ && width < 0.6 && relaxed_change(0, 0) < -s_.energy.min_gain && is_well_shaped())
       return true; // faces far too small: their nodes may stay for now
+    if(quick_ && balance_ < 0) return false;
+    const bool worth = is_worth_care(c, width);
+    balance_ += worth ? 1 : -1;
+    return worth;
+  }
+
+  bool is_worth_care(const Chord& c, double width)
+  {
     if(width < 0.5) return relaxed_change(0, 2) < -s_.energy.min_gain && is_well_shaped();
     for(const int rings : { 2, 2, 4 }) {
       const double change = relaxed_change(rings, 4 * rings);
@@ -119,6 +128,9 @@ private:
   Cavity cavity_;
   double min_jacobian_;
   bool quick_; // with less care
+  // Of trials with care that paid and that did not, in this batch of a large mesh.  They are dear:
+  // where most fail, as with sizes that change along the chords, local operations are cheaper.
+  int balance_ = 0;
   std::vector<char> used_;
 };
 

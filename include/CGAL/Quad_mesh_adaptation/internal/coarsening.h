@@ -6,7 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/chord_coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
-#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+#include <CGAL/Quad_mesh_adaptation/internal/thinning.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,13 +14,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// Four times as many faces as the sizes ask for, or more: what is done now will hardly be seen in
-// the end, so that in a large mesh quick work is good enough.
-inline bool is_far_too_fine(const Adaptation_state& s)
-{
-  return s.mesh.number_of_faces() > large_mesh && mean_square_ratio(s) < 0.25;
-}
 
 inline bool has_creases(const Adaptation_state& s)
 {
@@ -37,13 +30,15 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
 {
   const double strict = s.energy.valence;
   bool shortens_creases = false;
+  bool was_large = false; // then the first round thins it out quickly, and floors are not renewed
   for(int round = 0; round < max_rounds; ++round) {
-    set_floors(s); // where the mesh is too coarse it stays as it is for now
+    if(!was_large) set_floors(s); // where the mesh is too coarse it stays as it is for now
     const Index before = s.mesh.number_of_faces();
-    const bool far = is_far_too_fine(s);
     {
       Phase_scope phase(s, "coarsening");
-      coarsen_by_chords(s, 0.35, far ? 0.04 : 0);
+      was_large = was_large || is_far_too_fine(s);
+      const bool is_thinned = thin_out(s), far = is_far_too_fine(s);
+      if(!is_thinned) coarsen_by_chords(s, 0.35, far ? 0.04 : 0);
       s.energy.valence = 0.05;
       s.forget_energies();
       Improvement_options relaxed = clean;

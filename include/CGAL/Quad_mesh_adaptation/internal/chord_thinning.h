@@ -1,0 +1,329 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHORD_THINNING_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHORD_THINNING_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Chord_set.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
+#include <CGAL/Quad_mesh_adaptation/internal/merged_position.h>
+#include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Thins out a mesh with far too many faces by removing many whole chords at the same time, about
+// every other one of neighbours, which makes no irregular node and leaves an even mesh even.  The
+// narrowest are chosen first; those about which the outcome would be faulty are left out again.
+class Chord_thinning
+{
+public:
+  Chord_thinning(Adaptation_state& s, double limit) : s_(s), limit_(limit), chords_(s) {}
+
+  // Returns the number of faces removed.
+  std::size_t operator()()
+  {
+    constexpr int most_rounds = 12;
+    choose();
+    for(int round = 0; round < most_rounds; ++round) {
+      if(chords_.number_of_chosen() == 0) return 0;
+      merge_nodes();
+      if(leave_out_faulty()) continue;
+      const std::size_t before = std::size_t(s_.mesh.number_of_faces());
+      apply();
+      return before - std::size_t(s_.mesh.number_of_faces());
+    }
+    return 0;
+  }
+
+private:
+  // An independent set of chords that are narrow, the narrowest first.
+  void choose()
+  {
+    std::vector<std::pair<float, Index>> list; // rounded: equals are told by the order
+    for(Index c = 0; c < chords_.size(); ++c)
+      if(chords_.may_go(c) && chords_.width(c) < 0.55 * limit_)
+        list.push_back({ chords_.width(c), c });
+    put_in_order(list, s_.order);
+    std::stable_sort(list.begin(), list.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(const auto& candidate : list) chords_.choose(candidate.second);
+    s_.check_cancelled();
+  }
+
+  // --- nodes
+
+  // The node that v becomes one with.
+  Index image(Index v) const
+  {
+    while(image_[v] != v) v = image_[v];
+    return v;
+  }
+
+  void merge_nodes()
+  {
+    const Quad_complex& m = s_.mesh;
+    image_.resize(m.vertex_end());
+    for(Index v = 0; v < m.vertex_end(); ++v) image_[v] = v;
+    merged_.clear();
+    chords_.for_each_chosen_rung([&](Index h) {
+      const Index a = image(m.origin(h)), b = image(m.target(h));
+      if(a == b) return;
+      const bool a_wins = carrier_rank(m.vertex(a)) >= carrier_rank(m.vertex(b));
+      image_[a_wins ? b : a] = a_wins ? a : b;
+    });
+    for(Index v = 0; v < m.vertex_end(); ++v)
+      if(image_[v] != v) {
+        image_[v] = image(v);
+        merged_.push_back({ image_[v], v });
+      }
+    std::stable_sort(merged_.begin(), merged_.end());
+    place_merged();
+  }
+
+  void place_merged()
+  {
+    const Quad_complex& m = s_.mesh;
+    nodes_.clear();
+    node_of_.assign(m.vertex_end(), -1);
+    for(std::size_t i = 0, end = 0; i < merged_.size(); i = end) {
+      const Index v = merged_[i].first;
+      members_.assign(1, v);
+      for(end = i; end < merged_.size() && merged_[end].first == v; ++end)
+        if(carrier_rank(m.vertex(merged_[end].second)) == carrier_rank(m.vertex(v)))
+          members_.push_back(merged_[end].second);
+      node_of_[v] = Index(nodes_.size());
+      nodes_.push_back(merged_node());
+    }
+  }
+
+  // One for those of the nodes that are as little free to move as the one that stays.
+  Vertex_record merged_node() const
+  {
+    Vertex_record w = s_.mesh.vertex(members_[0]);
+    if(members_.size() == 1 || carrier_rank(w) > 1) return w;
+    if(w.carrier == Carrier::curve) {
+      const Feature_curve& c = s_.curves[w.curve];
+      double arcs = 0;
+      for(Index v : members_) arcs += c.difference(w.param, s_.mesh.vertex(v).param);
+      w.param += arcs / double(members_.size());
+    } else {
+      w.p = merged_position(s_, members_);
+    }
+    s_.place(w);
+    return w;
+  }
+
+  const Vertex_record& node(Index v) const
+  {
+    const Index n = node_of_[image_[v]];
+    return n >= 0 ? nodes_[n] : s_.mesh.vertex(v);
+  }
+
+  // --- checks
+
+  // Leaves out the chords about what would be faulty; tells whether there were any.
+  bool leave_out_faulty()
+  {
+    const Quad_complex& m = s_.mesh;
+    faces_.assign(m.vertex_end(), 0);
+    for(Index f = 0; f < m.face_end(); ++f)
+      if(m.is_face(f) && !chords_.removes(f))
+        for(Index v : m.quad(f)) ++faces_[image_[v]];
+    std::vector<Index> faulty;
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f) || chords_.removes(f) || !is_touched(f)) continue;
+      if(!is_well_shaped(f) || !has_good_nodes(f)) faulty.push_back(f);
+    }
+    if(faulty.empty()) find_mismatches(faulty);
+    for(Index f : faulty)
+      for(Index v : m.quad(f)) chords_.leave_out_about(v);
+    return !faulty.empty();
+  }
+
+  bool is_touched(Index f) const
+  {
+    const Quad q = s_.mesh.quad(f);
+    return std::any_of(q.begin(), q.end(), [&](Index v) { return node_of_[image_[v]] >= 0; });
+  }
+
+  bool is_well_shaped(Index f) const
+  {
+    constexpr double least = 0.35;
+    const Quad q = s_.mesh.quad(f);
+    Corners p;
+    Facing reference;
+    double sizes = 0;
+    for(int i = 0; i < 4; ++i) {
+      const Vertex_record& r = node(q[i]);
+      p[i] = r.p;
+      reference.add(r.normal);
+      sizes += r.h;
+      if(!is_curve_kept(4 * f + i)) return false;
+    }
+    if(mean_edge_length(p) > 0.25 * limit_ * sizes) return false;
+    const double quality = Adaptation_state::face_quality(p, reference);
+    return quality >= least ||
+           quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
+  }
+
+  // An edge of a closed curve stands for the shorter way round.
+  bool is_curve_kept(Index h) const
+  {
+    const Index c = s_.mesh.curve(h);
+    if(c < 0 || !s_.curves[c].is_closed()) return true;
+    const Vertex_record &a = node(s_.mesh.origin(h)), &b = node(s_.mesh.target(h));
+    if(a.carrier != Carrier::curve || b.carrier != Carrier::curve) return true;
+    const Feature_curve& curve = s_.curves[c];
+    return std::abs(curve.difference(a.param, b.param)) < 0.15 * curve.length();
+  }
+
+  bool has_good_nodes(Index f) const
+  {
+    constexpr int most = 6;
+    for(Index v : s_.mesh.quad(f)) {
+      const Index w = image_[v];
+      if(node_of_[w] < 0 || s_.mesh.vertex(w).carrier != Carrier::surface) continue;
+      if(faces_[w] < 3 || faces_[w] > (std::max)(most, int(s_.mesh.vertex(w).faces))) return false;
+    }
+    return true;
+  }
+
+  // The half-edge on the other side of the edge of h when chosen chords are gone.
+  Index opposite_after(Index h) const
+  {
+    Index o = s_.mesh.opposite(h);
+    while(o >= 0 && chords_.removes(Quad_complex::face(o)))
+      o = s_.mesh.opposite(Quad_complex::next(Quad_complex::next(o)));
+    return o;
+  }
+
+  // Faces at nodes that would have two umbrellas, or two edges to the same node.
+  void find_mismatches(std::vector<Index>& faulty) const
+  {
+    const Quad_complex& m = s_.mesh;
+    std::vector<char> is_seen(m.vertex_end(), 0);
+    for(Index h = 0; h < 4 * m.face_end(); ++h) {
+      if(!m.is_face(m.face(h)) || chords_.removes(m.face(h))) continue;
+      const Index v = image_[m.origin(h)];
+      if(is_seen[v] || node_of_[v] < 0) continue;
+      is_seen[v] = 1;
+      if(!has_one_umbrella(h, faces_[v])) faulty.push_back(m.face(h));
+    }
+  }
+
+  bool has_one_umbrella(Index h, int faces) const
+  {
+    const auto turn_left = [&](Index g) { return opposite_after(Quad_complex::prev(g)); };
+    Index start = h;
+    for(int i = 0; i <= faces; ++i) { // clockwise to the border
+      const Index o = opposite_after(start);
+      if(o < 0 || Quad_complex::next(o) == h) break;
+      start = Quad_complex::next(o);
+    }
+    std::vector<Index> around;
+    Index g = start;
+    int n = 0;
+    do {
+      around.push_back(image_[s_.mesh.target(g)]);
+      const Index last = image_[s_.mesh.origin(Quad_complex::prev(g))];
+      g = turn_left(g);
+      ++n;
+      if(g < 0) around.push_back(last);
+    } while(g >= 0 && g != start && n <= faces);
+    std::sort(around.begin(), around.end());
+    return n == faces && std::adjacent_find(around.begin(), around.end()) == around.end();
+  }
+
+  // --- outcome
+
+  void apply()
+  {
+    Quad_complex& m = s_.mesh;
+    std::vector<std::pair<Index, Index>> pairs;
+    std::vector<Index> gone;
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      if(chords_.removes(f)) {
+        gone.push_back(f);
+        continue;
+      }
+      for(Index h = 4 * f; h < 4 * f + 4; ++h)
+        if(m.opposite(h) >= 0 && chords_.removes(m.face(m.opposite(h))))
+          pairs.push_back({ h, opposite_after(h) });
+    }
+    for(const auto& p : pairs) hand_curve_on(p.first);
+    for(const auto& p : pairs) {
+      m.set_opposites(p.first, p.second);
+      m.set_curve(p.first, m.curve(p.first));
+    }
+    for(Index h = 0; h < 4 * m.face_end(); ++h)
+      if(m.is_face(m.face(h))) m.set_origin(h, image_[m.origin(h)]);
+    for(Index f : gone) m.remove_face(f);
+    for(Index v = 0; v < m.vertex_end(); ++v)
+      if(node_of_[v] >= 0) {
+        m.vertex(v) = nodes_[node_of_[v]];
+        s_.disturb(v);
+      }
+    m.refresh_vertices();
+    s_.count("chord collapse", chords_.number_of_chosen());
+    s_.forget_faces();
+  }
+
+  // A face that goes hands the curve of one side on to the other side.
+  void hand_curve_on(Index h)
+  {
+    Quad_complex& m = s_.mesh;
+    const Index across = Quad_complex::next(Quad_complex::next(m.opposite(h)));
+    if(m.curve(h) < 0 && m.curve(across) >= 0) m.set_curve(h, m.curve(across));
+  }
+
+  Adaptation_state& s_;
+  double limit_;
+  Chord_set chords_;
+  std::vector<Index> image_;
+  std::vector<std::pair<Index, Index>> merged_; // the one that stays, one that goes
+  std::vector<Index> members_;                  // of what becomes one node
+  std::vector<Vertex_record> nodes_;            // as they will be
+  std::vector<Index> node_of_;                  // by vertex, -1 where none is merged
+  std::vector<int> faces_;                      // of each node afterwards
+};
+
+// One sweep over the restless nodes, without witnesses; none is restless then.
+inline void smooth_plainly(Adaptation_state& s)
+{
+  const double fine = s.smoothing.wake;
+  s.smoothing.wake = 0.05;
+  Smoothing_sweep sweep(s);
+  const std::vector<char> now = s.restless;
+  sweep(now);
+  s.restless.assign(now.size(), 0);
+  s.smoothing.wake = fine;
+}
+
+// Removes chords as long as that takes many faces.
+inline std::size_t thin_by_chords(Adaptation_state& s)
+{
+  constexpr double few = 0.15, many = 0.3; // of the faces that are left
+  s.restless.assign(s.mesh.vertex_end(), 0);
+  std::size_t total = 0;
+  for(bool again = true; again;) {
+    const double removed = double(Chord_thinning(s, 1)());
+    total += std::size_t(removed);
+    if(removed > many * double(s.mesh.number_of_faces())) smooth_plainly(s);
+    again = removed > few * double(s.mesh.number_of_faces());
+  }
+  return total;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHORD_THINNING_H

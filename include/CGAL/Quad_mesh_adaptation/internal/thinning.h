@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_THINNING_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_THINNING_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Quick_close.h>
+#include <CGAL/Quad_mesh_adaptation/internal/chord_coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/chord_thinning.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
+#include <CGAL/Quad_mesh_adaptation/internal/spatial_order.h>
+
+#include <algorithm>
+#include <cmath>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Thins out a mesh with far too many faces by closing faces, the smallest first.  What it looks
+// like in between hardly shows in the end, so no energy is asked for: a face is closed where those
+// about the new node are well shaped, follow the surface and stay below a share of their size.
+class Face_thinning
+{
+public:
+  explicit Face_thinning(Adaptation_state& s) : s_(s) {}
+
+  // Closes faces as long as none about a new node is longer than `limit` sizes; returns how many.
+  std::size_t pass(double limit)
+  {
+    Quick_close close(s_, limit);
+    std::size_t closed = 0, seen = 0;
+    for(const auto& candidate : candidates(limit)) {
+      if(seen++ % 4096 == 0) s_.check_cancelled();
+      if(s_.mesh.is_face(candidate.second) && try_face(close, candidate.second)) ++closed;
+    }
+    s_.count("face close", closed);
+    return closed;
+  }
+
+private:
+  // By their shorter diagonal in wanted sizes; rounded, so that equals are told by the order.
+  std::vector<std::pair<float, Index>> candidates(double limit) const
+  {
+    const Quad_complex& m = s_.mesh;
+    std::vector<std::pair<float, Index>> list;
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      const Corners p = s_.corners(f);
+      double h = 0;
+      for(Index v : m.quad(f)) h += 0.25 * m.vertex(v).h;
+      if(mean_edge_length(p) >= limit * h) continue;
+      list.push_back({ float((std::min)(distance(p[0], p[2]), distance(p[1], p[3])) / h), f });
+    }
+    put_in_order(list, s_.order);
+    std::stable_sort(list.begin(), list.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    return list;
+  }
+
+  // Along the diagonal that is better for the valences, the shorter of equals, else the other.
+  bool try_face(Quick_close& close, Index f) const
+  {
+    const Quad_complex& m = s_.mesh;
+    int squares[2];
+    const bool may[2] = { close.is_candidate(4 * f, squares[0]),
+                          close.is_candidate(4 * f + 1, squares[1]) };
+    int first = may[0] ? 0 : 1;
+    if(may[0] && may[1]) {
+      const Quad q = m.quad(f);
+      const double l0 = distance(m.point(q[0]), m.point(q[2])),
+                   l1 = distance(m.point(q[1]), m.point(q[3]));
+      if(squares[1] < squares[0] || (squares[1] == squares[0] && l1 < l0)) first = 1;
+    }
+    return (may[first] && close(4 * f + first)) || (may[1 - first] && close(4 * f + 1 - first));
+  }
+
+  Adaptation_state& s_;
+};
+
+// Closes faces until those that are left have up to `share` of their size; in steps, so that the
+// mesh stays even.
+inline std::size_t thin_by_faces(Adaptation_state& s, double share)
+{
+  constexpr double step = 1.4;
+  const double now = std::sqrt(mean_square_ratio(s));
+  double limit = share;
+  while(limit > 1.7 * now) limit /= step;
+  s.restless.assign(s.mesh.vertex_end(), 0);
+  Face_thinning thinning(s);
+  std::size_t total = 0;
+  for(; limit < 1.01 * share; limit *= step) {
+    total += thinning.pass(limit);
+    s.forget_faces();
+    smooth_plainly(s);
+  }
+  return total;
+}
+
+// Four times as many faces as the sizes ask for, or more: what is done now will hardly be seen in
+// the end, so that in a large mesh quick work is good enough.
+inline bool is_far_too_fine(const Adaptation_state& s)
+{
+  return s.mesh.number_of_faces() > large_mesh && mean_square_ratio(s) < 0.25;
+}
+
+// Thins out a large mesh that is far too fine, quickly, until it is large or too fine by little.
+// Tells whether single faces were closed, so that chords run astray now.
+inline bool thin_out(Adaptation_state& s)
+{
+  if(is_distance_limited(s) || !is_far_too_fine(s)) return false;
+  const Index before = s.mesh.number_of_faces();
+  thin_by_chords(s);
+  const bool by_faces = is_far_too_fine(s) && thin_by_faces(s, 0.7) > 0;
+  s.disturb_all();
+  if(s.mesh.number_of_faces() < before) renumber_by_place(s);
+  return by_faces;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_THINNING_H
