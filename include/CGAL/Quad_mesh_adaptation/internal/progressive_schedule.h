@@ -11,7 +11,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
-#include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
+#include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
