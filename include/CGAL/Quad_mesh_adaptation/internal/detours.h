@@ -11,7 +11,6 @@
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -19,35 +18,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// Share of the nodes inside the surface that have not four faces.
-inline double irregular_share(const Adaptation_state& s)
-{
-  const Quad_complex& m = s.mesh;
-  std::size_t irregular = 0, all = 0;
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(!m.is_vertex(v) || m.vertex(v).carrier != Carrier::surface) continue;
-    ++all;
-    if(m.vertex(v).faces != 4) ++irregular;
-  }
-  return double(irregular) / double((std::max)(all, std::size_t(1)));
-}
-
-// Has the mesh more irregular nodes than most have for sizes that grow as these do?  A regular one
-// that is a little too large everywhere gets them where single faces are split in the end.
-inline bool is_needlessly_irregular(const Adaptation_state& s)
-{
-  constexpr double usual = 0.12, by_slope = 0.25;
-  const double share = irregular_share(s);
-  return share > usual && share > usual + by_slope * Demand(s).slope;
-}
-
-// Has the mesh come out clearly worse than most do?
-inline bool is_poor(const Adaptation_state& s)
-{
-  return !faces_too_large(s).empty() || shape_faults(s) > 0.2 || fraction_below(s, 0.5) > 0.03 ||
-         efficiency(s) < 0.6 || is_needlessly_irregular(s);
-}
 
 // What is wrong with a mesh, to be compared with another one for the same sizes.
 inline double demerits(Adaptation_state& s)
@@ -57,15 +27,23 @@ inline double demerits(Adaptation_state& s)
          3 * too_small;
 }
 
-// Halves all faces until most are clearly smaller than asked.
+// Has the mesh more faces and irregular nodes than most do?  Those within their sizes and without
+// irregular nodes come to 1.1 to 1.2 of the faces that the sizes ask for.
+inline bool is_worth_another(Adaptation_state& s)
+{
+  constexpr double usual = 1.25;
+  return demerits(s) > usual * efficiency(s) * double(s.mesh.number_of_faces());
+}
+
+// Halves all faces, until most are clearly smaller than asked.
 inline void make_finer(Adaptation_state& s)
 {
   constexpr Index many = 20000;
   Curve_bends(s).hold();
-  while(fraction_below(s, 0.75) < 0.5 && s.mesh.number_of_faces() < many) {
+  do {
     s.scale_sizes(2);
     halve_all(s);
-  }
+  } while(fraction_below(s, 0.75) < 0.5 && s.mesh.number_of_faces() < many);
 }
 
 // Other ways to the sizes, for where one leads into a dead end.
@@ -77,45 +55,41 @@ public:
   {
   }
 
-  // From a finer mesh, where not many more faces are wanted than given: thinning finds a way where
-  // a few cuts here and there do not.
-  void finer()
+  // After the first run: the smaller the mesh the more ways are tried, until it cannot come out
+  // much better.  By turns from a mesh that is too coarse and from one that is too fine, each time
+  // with walks in another order; of 25 ways that were tried out on 900 meshes, no others differ as
+  // much.
+  void operator()()
   {
-    constexpr double enough = 0.85, fewer = 0.9, many_more = 6;
-    const double growth = double(s_.mesh.number_of_faces()) / given_.number_of_faces();
-    if(growth < fewer || growth > many_more || is_anything_frozen(s_)) return;
-    if(efficiency(s_) > enough && !is_poor(s_)) return;
-    keep_this();
-    Mesh_keeper(given_).restore();
-    make_finer(s_);
-    try_it();
-  }
-
-  // Walks in another order.
-  void in_order(int order)
-  {
-    if(!is_poor(s_)) return;
-    keep_this();
-    Mesh_keeper(given_).restore();
-    s_.order = order;
-    try_it();
-    s_.order = 0;
+    constexpr Index enough_faces = 800;
+    constexpr int least = 2, most = 6;
+    const int ways = std::clamp(int(enough_faces / s_.mesh.number_of_faces()), least, most);
+    for(int way = 0; way < ways && is_worth_another(s_); ++way) {
+      least_ = clearly * demerits(s_);
+      best_.emplace(s_);
+      Mesh_keeper(given_).restore();
+      const int round = way / 2;
+      s_.order = round;
+      if(way % 2 == 0)
+        start_coarser();
+      else if(!is_anything_frozen(s_))
+        make_finer(s_);
+      run_();
+      s_.order = 0;
+      if(demerits(s_) >= least_) best_->restore();
+    }
   }
 
 private:
-  void keep_this()
+  // From a mesh for twice the sizes: it has too few faces, and none where they do no good.
+  void start_coarser()
   {
-    least_ = clearly * demerits(s_);
-    best_.emplace(s_);
-  }
-
-  void try_it()
-  {
+    s_.scale_sizes(2);
     run_();
-    if(demerits(s_) >= least_) best_->restore();
+    s_.scale_sizes(0.5);
   }
 
-  static constexpr double clearly = 0.95;
+  static constexpr double clearly = 0.98;
 
   Adaptation_state& s_;
   std::function<void()> run_;

@@ -11,7 +11,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
-#include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
+#include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
@@ -228,7 +228,7 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
 }
 
 // Where features and size leave room for few faces, the order of operations decides about much. So
-// where a small mesh comes out poor, other ways are tried as well, and taken where they are clearly
+// where a small mesh does not come out well, other ways are tried as well, and taken where they are
 // better.
 inline void run_with_detours(Adaptation_state& s, const Improvement_options& clean,
                              std::size_t max_iterations, const Schedule_ingredients& use)
@@ -238,10 +238,7 @@ inline void run_with_detours(Adaptation_state& s, const Improvement_options& cle
   std::optional<Detours> detours;
   if(s.mesh.number_of_faces() <= without_detours && s.region.empty()) detours.emplace(s, run);
   run();
-  if(!detours || s.mesh.number_of_faces() > few_after) return;
-  if(use.coarsening) detours->finer();
-  detours->in_order(1);
-  detours->in_order(2);
+  if(detours && use.coarsening && s.mesh.number_of_faces() <= few_after) (*detours)();
 }
 
 // Where faces of the input are folded over, either way to larger meshes may leave some that are:

@@ -124,17 +124,6 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   split.take_back_unless_better();
 }
 
-// The last resorts in turn: sizes first, then shapes, again where one has undone the other.
-inline void enforce_sizes_and_shapes(Adaptation_state& s, const Improvement_options& o)
-{
-  enforce_sizes(s, o, 16);
-  for(int turn = 0; turn < 3; ++turn) {
-    mend_shapes(s, o, 12);
-    if(faces_to_press(s).empty()) break;
-    enforce_sizes(s, o, 12);
-  }
-}
-
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL
