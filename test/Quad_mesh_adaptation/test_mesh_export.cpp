@@ -45,6 +45,7 @@ void import_change_export(const Shape& shape, double feature_angle, const std::s
   core::Mesh_import<M, decltype(vpm), core::No_constraints<Edge>, core::No_constraints<Vertex>>
       import(mesh, vpm, ecm, vcm);
   import(faces(mesh), false, in, descriptors);
+  in.is_frozen_vertex.resize(in.points.size(), 0); // empty: none is
   for(Index v = 0; v < Index(in.points.size()); ++v)
     for(Index f : frozen) in.is_frozen_vertex[v] |= in.points[v] == shape.points[f];
   Adaptation_state s;

@@ -67,6 +67,8 @@ public:
     if(scale_ != size.scale()) {
       if(bends_.empty()) bends_ = bends_of(surface, size);
       witnesses_ = choose_witnesses(surface, bends_, size.scale(), bound_);
+      // these sizes stay mostly, and bends take as much memory as the surface
+      if(size.scale() < 2 && scale_ > 0) bends_ = std::vector<Bend>();
       scale_ = size.scale();
       assigned_ = false;
     }

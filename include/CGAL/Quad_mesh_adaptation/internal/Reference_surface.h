@@ -122,6 +122,13 @@ public:
     return distance(p, walk(p, hint, enough * enough));
   }
 
+  // The tree is built again when there is a question: after many at once its memory is worth more.
+  void forget_tree() const
+  {
+    const std::lock_guard<std::mutex> lock(tree_->mutex);
+    tree_->tree.reset();
+  }
+
   // The point of the surface above a point of triangle t.
   Vec lifted(const Vec& foot, Index t) const { return lift_ ? lift_(foot, t).point : foot; }
 

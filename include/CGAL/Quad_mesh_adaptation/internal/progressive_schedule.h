@@ -138,6 +138,7 @@ inline bool covers_surface(const Adaptation_state& s)
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f)) allowed[f] = far * mean_edge_length(s.corners(f));
   const Distance_measure distances(s, *std::min_element(allowed.begin(), allowed.end()));
+  s.surface.forget_tree();
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f) && distances.of(f) > allowed[f]) return false;
   return true;
@@ -175,11 +176,19 @@ inline bool halves_well(Adaptation_state& s)
   return well;
 }
 
+// What the first larger sizes were met from, where halving would fold faces of their mesh.
+struct Refused_octave
+{
+  std::optional<Mesh_keeper> input;
+  double scale = 1; // of its sizes
+};
+
 // The same for sizes doubled as often as makes sense.  A solution that takes far too many faces
 // would do so after each halving; then there is one octave less.  Returns how many octaves are
 // left.
 inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options& clean,
-                                 std::size_t max_passes, const Schedule_ingredients& use)
+                                 std::size_t max_passes, const Schedule_ingredients& use,
+                                 Refused_octave* refused)
 {
   const int most = use.octaves ? int((std::min)(max_passes, std::size_t(30))) : 0;
   int octaves = stay_near_work(s) ? 0 : octaves_above(s, most);
@@ -189,7 +198,12 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
     Mesh_keeper input(s);
     approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
     if(use.last_resorts) enforce_sizes(s, clean, 16);
-    if(is_worth_halving(s, given_faces) && (!use.trial_halving || halves_well(s))) return octaves;
+    const bool is_full = is_worth_halving(s, given_faces);
+    if(is_full && (!use.trial_halving || halves_well(s))) return octaves;
+    if(is_full && refused && !refused->input) {
+      refused->input.emplace(input);
+      refused->scale = s.size.scale();
+    }
     input.restore();
     s.scale_sizes(0.5);
   }
@@ -207,11 +221,12 @@ inline void descend_one_octave(Adaptation_state& s, const Improvement_options& c
 }
 
 inline void run_progressively(Adaptation_state& s, const Improvement_options& clean,
-                              std::size_t max_iterations, const Schedule_ingredients& use)
+                              std::size_t max_iterations, const Schedule_ingredients& use,
+                              Refused_octave* refused = nullptr)
 {
   const std::size_t last = s.iterations + max_iterations;
   release_bends(s);
-  const int octaves = approach_larger_sizes(s, clean, max_iterations, use);
+  const int octaves = approach_larger_sizes(s, clean, max_iterations, use, refused);
   for(int left = octaves; left > 0; --left) {
     s.progress = 0.9 - 0.3 * left / octaves;
     if(left < octaves && use.last_resorts) enforce_sizes(s, clean, 16);
@@ -227,6 +242,9 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
   release_bends(s);
 }
 
+// From so many faces on an input has no detours.
+constexpr Index without_detours = 10000;
+
 // Where features and size leave room for few faces, the order of operations decides about much. So
 // where a small mesh does not come out well, other ways are tried as well, and taken where they are
 // better.
@@ -241,24 +259,39 @@ inline void run_with_detours(Adaptation_state& s, const Improvement_options& cle
   if(detours && use.coarsening && s.mesh.number_of_faces() <= few_after) (*detours)();
 }
 
-// Where faces of the input are folded over, either way to larger meshes may leave some that are:
-// from a mesh for larger sizes, although halving it folds faces, or without one.
-inline void run_both_ways(Adaptation_state& s, const Improvement_options& clean,
-                          std::size_t max_iterations, const Schedule_ingredients& use)
+// The other way, without trial, from a mesh that is given; the better outcome of both is kept.
+inline void run_other_way(Adaptation_state& s, const Improvement_options& clean,
+                          std::size_t max_iterations, const Schedule_ingredients& use,
+                          Refused_octave& given)
 {
-  std::optional<Mesh_keeper> given;
-  // then there are no larger sizes to choose
-  const bool is_local = s.mesh.number_of_faces() > without_detours && stay_near_work(s);
-  if(!s.surface.is_planar() && !is_local) given.emplace(s);
-  run_with_detours(s, clean, max_iterations, use);
-  if(!given || worst_quality(s) > 0) return;
   Mesh_keeper first(s);
   const double demerits_of_first = demerits(s);
   Schedule_ingredients other = use;
   other.trial_halving = false;
-  given->restore();
+  given.input->restore();
+  const double factor = s.size.scale() / given.scale;
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v) s.mesh.vertex(v).h *= factor;
   run_progressively(s, clean, max_iterations, other);
   if(demerits(s) >= demerits_of_first) first.restore();
+}
+
+// Where faces of the input are folded over, either way to larger meshes may leave some that are:
+// from a mesh for larger sizes, although halving it folds faces, or without one.  A large input is
+// kept only where there are two ways.
+inline void run_both_ways(Adaptation_state& s, const Improvement_options& clean,
+                          std::size_t max_iterations, const Schedule_ingredients& use)
+{
+  Refused_octave given;
+  given.scale = s.size.scale();
+  if(s.surface.is_planar()) {
+    run_with_detours(s, clean, max_iterations, use);
+  } else if(s.mesh.number_of_faces() > without_detours) {
+    run_progressively(s, clean, max_iterations, use, &given);
+  } else {
+    given.input.emplace(s);
+    run_with_detours(s, clean, max_iterations, use);
+  }
+  if(given.input && worst_quality(s) <= 0) run_other_way(s, clean, max_iterations, use, given);
 }
 
 // The default schedule.

@@ -129,16 +129,11 @@ inline bool is_local(const Adaptation_state& s, const std::vector<Index>& work)
          mean_square_ratio(s) >= fine_enough;
 }
 
-// From so many faces on a mesh has no detours, see run_with_detours(), and what there is to do need
-// not be looked for again.
-constexpr Index without_detours = 10000;
-
 // Where that is so all else is left alone, so that a small change costs little.  Tells whether it
 // is so.
 inline bool stay_near_work(Adaptation_state& s)
 {
   constexpr int rings = 8;
-  if(!s.region.empty() && s.mesh.number_of_faces() > without_detours) return true;
   const std::vector<Index> work = faces_to_work_on(s);
   if(!is_local(s, work)) return false;
   s.region = nodes_around(s.mesh, work, rings);
