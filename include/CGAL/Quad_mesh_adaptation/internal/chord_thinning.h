@@ -307,19 +307,17 @@ inline void smooth_plainly(Adaptation_state& s)
   s.smoothing.wake = fine;
 }
 
-// Removes chords as long as that takes many faces.
-inline std::size_t thin_by_chords(Adaptation_state& s)
+// Removes chords as long as that takes many faces, until the mesh has no more than `enough`, and no
+// face about them is longer than `limit` sizes.
+inline void thin_by_chords(Adaptation_state& s, double limit, Index enough)
 {
   constexpr double few = 0.15, many = 0.3; // of the faces that are left
   s.restless.assign(s.mesh.vertex_end(), 0);
-  std::size_t total = 0;
-  for(bool again = true; again;) {
-    const double removed = double(Chord_thinning(s, 1)());
-    total += std::size_t(removed);
+  for(bool again = true; again && s.mesh.number_of_faces() > enough;) {
+    const double removed = double(Chord_thinning(s, limit)());
     if(removed > many * double(s.mesh.number_of_faces())) smooth_plainly(s);
     again = removed > few * double(s.mesh.number_of_faces());
   }
-  return total;
 }
 
 } // namespace internal

@@ -83,9 +83,26 @@ private:
   Adaptation_state& s_;
 };
 
-// Closes faces until those that are left have up to `share` of their size; in steps, so that the
-// mesh stays even.
-inline std::size_t thin_by_faces(Adaptation_state& s, double share)
+// Four times as many faces as the sizes ask for, or more: what is done now will hardly be seen in
+// the end, so that in a large mesh quick work is good enough.
+inline bool is_far_too_fine(const Adaptation_state& s)
+{
+  return s.mesh.number_of_faces() > large_mesh && mean_square_ratio(s) < 0.25;
+}
+
+// Are there so many edges on curves that these should be thinned along with the faces?
+inline bool is_rich_in_curves(const Adaptation_state& s)
+{
+  constexpr double many = 0.25; // for a face that is wanted
+  std::size_t edges = 0;
+  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h)
+    if(s.mesh.is_face(s.mesh.face(h)) && s.mesh.curve(h) >= 0 && s.mesh.opposite(h) < h) ++edges;
+  return double(edges) > many * mean_square_ratio(s) * double(s.mesh.number_of_faces());
+}
+
+// Closes faces until those that are left have up to `share` of their size, or there are no more
+// than `enough`; in steps, so that the mesh stays even.
+inline std::size_t thin_by_faces(Adaptation_state& s, double share, Index enough)
 {
   constexpr double step = 1.4;
   const double now = std::sqrt(mean_square_ratio(s));
@@ -94,7 +111,7 @@ inline std::size_t thin_by_faces(Adaptation_state& s, double share)
   s.restless.assign(s.mesh.vertex_end(), 0);
   Face_thinning thinning(s);
   std::size_t total = 0;
-  for(; limit < 1.01 * share; limit *= step) {
+  for(; limit < 1.01 * share && s.mesh.number_of_faces() > enough; limit *= step) {
     total += thinning.pass(limit);
     s.forget_faces();
     smooth_plainly(s);
@@ -102,21 +119,18 @@ inline std::size_t thin_by_faces(Adaptation_state& s, double share)
   return total;
 }
 
-// Four times as many faces as the sizes ask for, or more: what is done now will hardly be seen in
-// the end, so that in a large mesh quick work is good enough.
-inline bool is_far_too_fine(const Adaptation_state& s)
-{
-  return s.mesh.number_of_faces() > large_mesh && mean_square_ratio(s) < 0.25;
-}
-
 // Thins out a large mesh that is far too fine, quickly, until it is large or too fine by little.
-// Tells whether single faces were closed, so that chords run astray now.
+// Tells whether single faces were closed, so that chords run astray now.  These leave curves as
+// they are; where much depends on curves the search for operations has to do it.
 inline bool thin_out(Adaptation_state& s)
 {
   if(is_distance_limited(s) || !is_far_too_fine(s)) return false;
   const Index before = s.mesh.number_of_faces();
-  thin_by_chords(s);
-  const bool by_faces = is_far_too_fine(s) && thin_by_faces(s, 0.7) > 0;
+  // rows nearly wide enough are better left to those who look closer, if these are few
+  thin_by_chords(s, 0.7, large_mesh);
+  if(is_far_too_fine(s)) thin_by_chords(s, 1, large_mesh);
+  const bool by_faces =
+      is_far_too_fine(s) && !is_rich_in_curves(s) && thin_by_faces(s, 0.7, large_mesh) > 0;
   s.disturb_all();
   if(s.mesh.number_of_faces() < before) renumber_by_place(s);
   return by_faces;
