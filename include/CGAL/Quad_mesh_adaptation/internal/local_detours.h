@@ -38,7 +38,7 @@ public:
     first_steps_.assign(4, none);
     first_steps_[0].swap = first_steps_[0].rotate = true;
     first_steps_[1].close = true;
-    first_steps_[2].border = true;
+    first_steps_[2].border = first_steps_[2].crease = true;
     first_steps_[3].open = true;
   }
 
