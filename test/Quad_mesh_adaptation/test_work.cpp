@@ -107,8 +107,9 @@ TEST(Work, Projections)
     };
     return QMA::adapt_quad_mesh(size, mesh, QMA::projector(project));
   };
-  const Work small = counted_work::measured(shape_zoo::sphere(6), Graded{ 0.03 }, onto_sphere);
-  const Work large = counted_work::measured(shape_zoo::sphere(6), Graded{ 0.015 }, onto_sphere);
+  // meshes of some hundred faces are made several times, see detours.h
+  const Work small = counted_work::measured(shape_zoo::sphere(6), Graded{ 0.0106 }, onto_sphere);
+  const Work large = counted_work::measured(shape_zoo::sphere(6), Graded{ 0.0053 }, onto_sphere);
   EXPECT_GT(small.projections, small.faces);
   EXPECT_LT(large.projections_per_face(), allowed_growth * small.projections_per_face());
   EXPECT_LT(large.projections_per_face(), 2 * 840.); // seen 840, see expect_work()

@@ -124,8 +124,8 @@ private:
   // A face a tenth below the floor may cost two irregular nodes and two faces.
   double demerits_here() { return total_energy(s_) + 80 * shape_faults(s_); }
 
-  static constexpr Index most_work = 300000; // faces in all copies
-  static constexpr std::size_t most_trials = 100;
+  static constexpr Index most_work = 100000; // faces in all copies
+  static constexpr std::size_t most_trials = 40;
 
   Adaptation_state& s_;
   Improvement_options options_;
