@@ -90,7 +90,7 @@ TEST(Thinning, LargeMesh)
 {
   Adaptation_state s = fine_state(shape_zoo::torus(160, 80), 9, 180);
   const state_checks::Snapshot before = state_checks::snapshot(s);
-  core::thin_out(s);
+  core::thin_out(s, [] {});
   EXPECT_LT(s.mesh.number_of_faces(), 4000);
   EXPECT_EQ(irregular_nodes(s), 0u);
   expect_sound(s, before);
@@ -100,6 +100,6 @@ TEST(Thinning, LargeMesh)
 TEST(Thinning, SmallMesh)
 {
   Adaptation_state s = fine_state(shape_zoo::plate(60, 60), 10);
-  core::thin_out(s);
+  core::thin_out(s, [] {});
   EXPECT_EQ(s.mesh.number_of_faces(), 3600);
 }

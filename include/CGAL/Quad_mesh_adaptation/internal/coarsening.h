@@ -37,8 +37,8 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
     {
       Phase_scope phase(s, "coarsening");
       was_large = was_large || is_far_too_fine(s);
-      const bool is_thinned = thin_out(s), far = is_far_too_fine(s);
-      if(!is_thinned) coarsen_by_chords(s, 0.35, far ? 0.04 : 0);
+      thin_out(s, [&] { coarsen_by_chords(s, 0.35, is_far_too_fine(s) ? 0.04 : 0); });
+      const bool far = is_far_too_fine(s);
       s.energy.valence = 0.05;
       s.forget_energies();
       Improvement_options relaxed = clean;

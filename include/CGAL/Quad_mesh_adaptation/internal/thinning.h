@@ -119,21 +119,38 @@ inline std::size_t thin_by_faces(Adaptation_state& s, double share, Index enough
   return total;
 }
 
-// Thins out a large mesh that is far too fine, quickly, until it is large or too fine by little.
-// Tells whether single faces were closed, so that chords run astray now.  These leave curves as
-// they are; where much depends on curves the search for operations has to do it.
-inline bool thin_out(Adaptation_state& s)
+// Do chords run straight on, so that taking out one after the other leads far?
+inline bool is_regular(const Adaptation_state& s)
 {
-  if(is_distance_limited(s) || !is_far_too_fine(s)) return false;
-  const Index before = s.mesh.number_of_faces();
-  // rows nearly wide enough are better left to those who look closer, if these are few
-  thin_by_chords(s, 0.7, large_mesh);
-  if(is_far_too_fine(s)) thin_by_chords(s, 1, large_mesh);
-  const bool by_faces =
-      is_far_too_fine(s) && !is_rich_in_curves(s) && thin_by_faces(s, 0.7, large_mesh) > 0;
-  s.disturb_all();
-  if(s.mesh.number_of_faces() < before) renumber_by_place(s);
-  return by_faces;
+  constexpr std::size_t few = 50; // one node in so many
+  std::size_t nodes = 0, irregular = 0;
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
+    if(!s.mesh.is_vertex(v) || s.mesh.is_border_vertex(v)) continue;
+    ++nodes;
+    irregular += s.mesh.vertex(v).faces != 4;
+  }
+  return few * irregular < nodes;
+}
+
+// Thins out a large mesh that is far too fine, quickly, until it is large or too fine by little;
+// with rows nearly wide enough left to `look_closer`.  Faces are closed where chords run astray or
+// too few can go.  That leaves curves as they are; where much depends on these the search for
+// operations has to do it.
+template <typename Look_closer>
+void thin_out(Adaptation_state& s, const Look_closer& look_closer)
+{
+  const bool is_quick = !is_distance_limited(s) && is_far_too_fine(s);
+  if(is_quick) {
+    const Index before = s.mesh.number_of_faces();
+    thin_by_chords(s, 0.7, large_mesh);
+    s.disturb_all();
+    if(s.mesh.number_of_faces() < before) renumber_by_place(s);
+  }
+  const bool is_rich = is_quick && is_rich_in_curves(s);
+  if(!is_quick || is_rich || !is_far_too_fine(s) || is_regular(s)) look_closer();
+  if(!is_quick || is_rich || !is_far_too_fine(s)) return;
+  thin_by_faces(s, 0.7, large_mesh);
+  renumber_by_place(s);
 }
 
 } // namespace internal
