@@ -25,12 +25,20 @@ using shape_zoo::Vec;
 
 using Edge = std::pair<Index, Index>;
 
+/// Where two patches meet.
+struct Seam
+{
+  std::size_t edges = 0;
+  double length = 0;
+};
+
 struct Features
 {
   std::vector<Edge> edges;
   std::set<Edge> neighbours;  // patches that share an edge; -1 is the outside
   std::vector<Index> corners; // vertices where other than two of the edges meet
   double length = 0;          // of the edges
+  std::map<Edge, Seam> seams; // by the two patches
 };
 
 inline double norm(const Vec& v) { return std::sqrt(v.squared_length()); }
@@ -86,7 +94,11 @@ inline Features features(const Shape& s, const std::vector<int>& patch)
     if(a == b) continue;
     result.edges.push_back(e);
     result.neighbours.insert(std::minmax(a, b));
-    result.length += norm(s.points[e.second] - s.points[e.first]);
+    const double length = norm(s.points[e.second] - s.points[e.first]);
+    result.length += length;
+    Seam& seam = result.seams[std::minmax(a, b)];
+    ++seam.edges;
+    seam.length += length;
     ++degree[e.first];
     ++degree[e.second];
   }

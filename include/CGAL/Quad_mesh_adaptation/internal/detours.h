@@ -6,14 +6,17 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -66,6 +69,7 @@ public:
     const int ways = std::clamp(int(enough_faces / s_.mesh.number_of_faces()), least, most);
     for(int way = 0; way < ways && is_worth_another(s_); ++way) {
       least_ = clearly * demerits(s_);
+      kept_ = curves_that_kept_length(s_);
       best_.emplace(s_);
       Mesh_keeper(given_).restore();
       const int round = way / 2;
@@ -76,7 +80,7 @@ public:
         make_finer(s_);
       run_();
       s_.order = 0;
-      if(demerits(s_) >= least_) best_->restore();
+      if(demerits(s_) >= least_ || has_cut_curves_short()) best_->restore();
     }
   }
 
@@ -89,6 +93,15 @@ private:
     s_.scale_sizes(0.5);
   }
 
+  // A coarser start leaves nodes beside the bends of curves; they do not always find back.
+  bool has_cut_curves_short() const
+  {
+    const std::vector<char> now = curves_that_kept_length(s_);
+    for(std::size_t c = 0; c < now.size(); ++c)
+      if(kept_[c] && !now[c]) return true;
+    return false;
+  }
+
   static constexpr double clearly = 0.98;
 
   Adaptation_state& s_;
@@ -96,6 +109,7 @@ private:
   const Mesh_keeper given_;
   std::optional<Mesh_keeper> best_;
   double least_ = 0;
+  std::vector<char> kept_; // curves, by the best
 };
 
 } // namespace internal
