@@ -20,10 +20,10 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Nearest triangles of a mesh that somebody else stores: each function is given `corners(t)`, which
-// returns those of triangle t.  A tree of boxes takes 20 bytes a triangle, a tenth of what
-// an AABB tree of CGAL takes with its copies of the triangles and hints, and half the time to
-// build; the memory of trees was most of the peak.
+// A compact AABB tree for the nearest triangles of a mesh that somebody else stores: each function
+// is given `corners(t)`, which returns those of triangle t.  It takes 20 bytes a triangle, a tenth
+// of what an AABB tree of CGAL takes with its copies of the triangles and hints, and half the time
+// to build; the memory of trees was most of the peak.
 class Box_tree
 {
   using Triangle = std::array<Vec, 3>;
