@@ -13,7 +13,8 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Which curves have kept their length, to one in a thousand?
+// Which curves have kept their length, to one in a thousand?  Those along which a mirror plane cuts
+// the surface are none of the caller's and do not count.
 inline std::vector<char> curves_that_kept_length(const Adaptation_state& s)
 {
   constexpr double tolerance = 1e-3;
@@ -24,7 +25,7 @@ inline std::vector<char> curves_that_kept_length(const Adaptation_state& s)
       length[m.curve(h)] += distance(m.point(m.origin(h)), m.point(m.target(h)));
   std::vector<char> kept;
   for(std::size_t c = 0; c < length.size(); ++c)
-    kept.push_back(length[c] >= (1 - tolerance) * s.curves[c].length());
+    kept.push_back(!s.curves[c].is_cut && length[c] >= (1 - tolerance) * s.curves[c].length());
   return kept;
 }
 
