@@ -87,7 +87,7 @@ private:
 // the end, so that in a large mesh quick work is good enough.
 inline bool is_far_too_fine(const Adaptation_state& s)
 {
-  return s.mesh.number_of_faces() > large_mesh && mean_square_ratio(s) < 0.25;
+  return s.mesh.number_of_faces() > large_part(s) && mean_square_ratio(s) < 0.25;
 }
 
 // Are there so many edges on curves that these should be thinned along with the faces?
@@ -142,14 +142,14 @@ void thin_out(Adaptation_state& s, const Look_closer& look_closer)
   const bool is_quick = !is_distance_limited(s) && is_far_too_fine(s);
   if(is_quick) {
     const Index before = s.mesh.number_of_faces();
-    thin_by_chords(s, 0.7, large_mesh);
+    thin_by_chords(s, 0.7, large_part(s));
     s.disturb_all();
     if(s.mesh.number_of_faces() < before) renumber_by_place(s);
   }
   const bool is_rich = is_quick && is_rich_in_curves(s);
   if(!is_quick || is_rich || !is_far_too_fine(s) || is_regular(s)) look_closer();
   if(!is_quick || is_rich || !is_far_too_fine(s)) return;
-  thin_by_faces(s, 0.7, large_mesh);
+  thin_by_faces(s, 0.7, large_part(s));
   renumber_by_place(s);
 }
 
