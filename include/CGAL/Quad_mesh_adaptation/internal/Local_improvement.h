@@ -90,7 +90,7 @@ private:
     s_.make_room();
     found_.assign(batch_.size(), Operation_proposal());
     s_.workers.run(batch_.size(), [&](std::size_t i) {
-      if(s_.mesh.is_vertex(batch_[i])) found_[i] = searches_.mine()(batch_[i]);
+      if(s_.mesh.is_vertex(batch_[i])) found_[i] = searches_.mine().for_later(batch_[i]);
     });
   }
 

@@ -26,6 +26,7 @@ struct Operation_proposal
   Index node = -1; // -1: none
   Operation_candidate candidate = {};
   Halo halo = Halo::none;
+  std::vector<Vertex_record> nodes; // of the cavity, where they are to go; if found for later
 };
 
 // Looks for the local operation about a node that lowers the energy most, or the first that lowers
@@ -63,28 +64,37 @@ public:
       }
       if(change >= best_change) continue;
       best_change = change;
-      found = { v, c, halo };
+      found = { v, c, halo, {} };
       std::swap(trial_, best_);
       if(options_.first_gain) break;
     }
     return found;
   }
 
+  // The same, to be committed by another search.
+  Operation_proposal for_later(Index v)
+  {
+    Operation_proposal found = (*this)(v);
+    if(found.node >= 0) found.nodes = best_->nodes;
+    return found;
+  }
+
   // Commits what was found by the last search.
   void commit(std::vector<Index>& touched) { best_->commit(&touched); }
 
-  // Commits what another search has found in the same place.
+  // Commits what another search has found for later in the same place.
   void commit(const Operation_proposal& p, std::vector<Index>& touched)
   {
     using Halo = Operation_proposal::Halo;
     candidates_.look_at(p.node);
     candidates_.describe(p.candidate, *best_);
     if(p.halo == Halo::at_once) best_->add_halo();
-    relax_again();
-    if(p.halo == Halo::after_a_trial) {
+    best_->close();
+    if(p.halo == Halo::after_a_trial) { // as in the search, closed before and after
       best_->add_halo();
-      relax_again();
+      best_->close();
     }
+    best_->nodes = p.nodes;
     best_->commit(&touched);
   }
 
@@ -113,13 +123,6 @@ private:
 
   // An inverted face is worse than one that is too large.
   static bool is_rescue(const Cavity& c) { return c.worst_before() <= 0 && c.worst_after() > 0.2; }
-
-  // The same steps as in a trial, so that the nodes come to the same places.
-  void relax_again()
-  {
-    best_->close();
-    for(int sweep = 0; sweep < options_.sweeps; ++sweep) best_->relax(1);
-  }
 
   Adaptation_state& s_;
   Improvement_options options_;
