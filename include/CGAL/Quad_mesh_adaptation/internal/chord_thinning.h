@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Chord_set.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
+#include <CGAL/Quad_mesh_adaptation/internal/changed_face_quality.h>
 #include <CGAL/Quad_mesh_adaptation/internal/merged_position.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 
@@ -156,19 +157,10 @@ private:
   bool is_well_shaped(Index f) const
   {
     constexpr double least = 0.35;
-    const Quad q = s_.mesh.quad(f);
-    Corners p;
-    Facing reference;
-    double sizes = 0;
-    for(int i = 0; i < 4; ++i) {
-      const Vertex_record& r = node(q[i]);
-      p[i] = r.p;
-      reference.add(r.normal);
-      sizes += r.h;
-      if(!is_curve_kept(4 * f + i)) return false;
-    }
-    if(mean_edge_length(p) > 0.25 * limit_ * sizes) return false;
-    const double quality = Adaptation_state::face_quality(p, reference);
+    for(Index h = 4 * f; h < 4 * f + 4; ++h)
+      if(!is_curve_kept(h)) return false;
+    const auto corner = [this](Index v) -> const Vertex_record& { return node(v); };
+    const double quality = changed_face_quality(s_.mesh.quad(f), corner, limit_);
     return quality >= least ||
            quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
   }
