@@ -26,9 +26,8 @@ double changed_face_quality(const Quad& q, const Node_of& node, double limit)
     reference.add(r.normal);
     sizes += r.h;
   }
-  return mean_edge_length(p) > 0.25 * limit * sizes
-             ? -(std::numeric_limits<double>::infinity)()
-             : Adaptation_state::face_quality(p, reference);
+  return mean_edge_length(p) > 0.25 * limit * sizes ? -(std::numeric_limits<double>::infinity)()
+                                                    : Adaptation_state::face_quality(p, reference);
 }
 
 } // namespace internal
