@@ -149,7 +149,7 @@ TEST(Refusals, BadParameters)
 TEST(Refused_sizes, Numbers)
 {
   for(double bad : { 0., -1., -0., std::numeric_limits<double>::quiet_NaN(),
-                     std::numeric_limits<double>::infinity(), 1e-7 }) {
+                     std::numeric_limits<double>::infinity(), 1e-7, 1e-200 }) {
     Mesh mesh = plate();
     const Mesh before = mesh;
     const Adaptation_report r = QMA::adapt_quad_mesh(bad, mesh);
