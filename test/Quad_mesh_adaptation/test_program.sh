@@ -7,6 +7,7 @@
 # the error stream and writes nothing.
 set -u
 program=$(realpath "${1:?usage: test_program.sh PATH_OF_QUAD_ADAPT}")
+manual=$(realpath "$(dirname "$0")/../../doc/Quad_mesh_adaptation/Quad_mesh_adaptation.txt")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
@@ -165,6 +166,10 @@ expect 0 '' in_place.off in_place.off --size 0.5 --quiet
   fail "in_place.off was not adapted"
 [ "$sum" = "$(md5sum <plate.off)" ] || fail "the input was changed"
 expect 0 '' --help
+for option in $("$program" --help | grep -oE '^ +(-h,)?--[a-z-]+' | grep -oE -- '--[a-z-]+'); do
+  case $option in --version) continue ;; esac
+  grep -q -e "\`[^\`]*$option\b[^\`]*\`" "$manual" || fail "the manual does not tell of $option"
+done
 expect 0 '' --version
 
 # a valid mesh, sizes not met
