@@ -96,6 +96,9 @@ if "$program" --help | grep -q -- --threads; then
   cmp with_1.off with_2.off || fail "the result depends on the number of threads"
   expect 2 'threads' fine.off out.off --size 1 --threads 0
 fi
+# what was put right in the input is said
+printf '%b' "OFF\n5 1 0\n${square}9 9 9\n4 0 1 2 3\n" >lonely.off
+expect 0 'note: .*1 vertex that no face uses' lonely.off out.off --size 1
 # a size that jumps is graded: said, and many more faces; a gentle one stays as it is
 faces() { awk 'NR == 2 { print $2 }' "$1"; }
 expect 0 '' plate.off jump.off --size-function 'x < 1 ? 0.1 : 2' --quiet
