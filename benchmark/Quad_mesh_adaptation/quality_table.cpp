@@ -10,7 +10,6 @@
 
 #include <CGAL/Quad_mesh_adaptation/IO/File_transaction.h>
 #include <CGAL/Quad_mesh_adaptation/IO/write_picture.h>
-#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
 #include <CGAL/adapt_quad_mesh.h>
 
 #include <CLI/CLI.hpp>
@@ -191,17 +190,17 @@ void write_table(const Options& options)
   for(const Case& c : quality::all_cases(options.folder, options.extent())) {
     if(c.name.find(options.only) == std::string::npos) continue;
     std::vector<quality::Mesh> results;
+    double ideal_number_of_faces = 0;
     for(QMA::Schedule schedule : { QMA::Schedule::progressive, QMA::Schedule::paper }) {
       Outcome outcome = adapt(c, schedule);
       const std::string text = row(c, schedule, outcome);
       std::cout << text << std::flush;
       out << text << std::flush;
       results.push_back(std::move(outcome.mesh));
+      ideal_number_of_faces = outcome.report.after.ideal_number_of_faces;
     }
     if(!c.paper_counts) continue;
-    const double ideal =
-        QMA::measure_quad_mesh(c.initial, c.size).ideal_number_of_faces; // coarse: about right
-    out << papers_row(c, ideal) << std::flush;
+    out << papers_row(c, ideal_number_of_faces) << std::flush;
     if(!options.pictures.empty()) write_case_picture(c, results[0], results[1], options.pictures);
   }
 }

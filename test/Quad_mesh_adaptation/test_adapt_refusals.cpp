@@ -144,12 +144,25 @@ TEST(Refusals, BadParameters)
   }
 }
 
+TEST(Refusals, BadDistances)
+{
+  for(double distance : { 0., -3., std::numeric_limits<double>::quiet_NaN() }) {
+    Mesh mesh = plate();
+    const Mesh before = mesh;
+    const Adaptation_report r = QMA::adapt_quad_mesh(0.5, mesh, QMA::max_distance(distance));
+    EXPECT_EQ(r.status, Adaptation_status::input_refused);
+    EXPECT_EQ(r.reason, Refusal::invalid_parameter);
+    EXPECT_NE(r.message.find("max_distance("), std::string::npos) << r.message;
+    EXPECT_TRUE(zoo_mesh::is_same(mesh, before));
+  }
+}
+
 // --- sizes
 
 TEST(Refused_sizes, Numbers)
 {
   for(double bad : { 0., -1., -0., std::numeric_limits<double>::quiet_NaN(),
-                     std::numeric_limits<double>::infinity(), 1e-7 }) {
+                     std::numeric_limits<double>::infinity(), 1e-7, 1e-200 }) {
     Mesh mesh = plate();
     const Mesh before = mesh;
     const Adaptation_report r = QMA::adapt_quad_mesh(bad, mesh);

@@ -7,6 +7,7 @@
 # the error stream and writes nothing.
 set -u
 program=$(realpath "${1:?usage: test_program.sh PATH_OF_QUAD_ADAPT}")
+manual=$(realpath "$(dirname "$0")/../../doc/Quad_mesh_adaptation/Quad_mesh_adaptation.txt")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
@@ -95,6 +96,9 @@ if "$program" --help | grep -q -- --threads; then
   cmp with_1.off with_2.off || fail "the result depends on the number of threads"
   expect 2 'threads' fine.off out.off --size 1 --threads 0
 fi
+# what was put right in the input is said
+printf '%b' "OFF\n5 1 0\n${square}9 9 9\n4 0 1 2 3\n" >lonely.off
+expect 0 'note: .*1 vertex that no face uses' lonely.off out.off --size 1
 # a size that jumps is graded: said, and many more faces; a gentle one stays as it is
 faces() { awk 'NR == 2 { print $2 }' "$1"; }
 expect 0 '' plate.off jump.off --size-function 'x < 1 ? 0.1 : 2' --quiet
@@ -146,7 +150,6 @@ expect 3 'larger than asked' plate.off part.off --size 0.5 --region 'x < 2'
 [ "$(centres part.off | awk '$1 > 2' | wc -l)" -eq 8 ] || fail "--region changed faces outside"
 [ "$(centres part.off | awk '$1 < 2' | wc -l)" -gt 16 ] || fail "--region changed nothing inside"
 expect 1 'no face' plate.off part.off --size 0.5 --region 'x < -2'
-expect 1 'region' plate.off part.off --size 0.5 --region 'x <'
 grid 12 >twelve.off
 expect 0 '' twelve.off kept.off --size 3 --keep-border --quiet
 awk 'NF == 3 && ($1 == 0 || $1 == 12 || $2 == 0 || $2 == 12)' twelve.off | sort >border_before
@@ -166,6 +169,10 @@ expect 0 '' in_place.off in_place.off --size 0.5 --quiet
   fail "in_place.off was not adapted"
 [ "$sum" = "$(md5sum <plate.off)" ] || fail "the input was changed"
 expect 0 '' --help
+for option in $("$program" --help | grep -oE '^ +(-h,)?--[a-z-]+' | grep -oE -- '--[a-z-]+'); do
+  case $option in --version) continue ;; esac
+  grep -q -e "\`[^\`]*$option\b[^\`]*\`" "$manual" || fail "the manual does not tell of $option"
+done
 expect 0 '' --version
 
 # a valid mesh, sizes not met
@@ -214,6 +221,12 @@ for expression in 'x - x' '-1' 'x - 2' 'sqrt(-1 - x)' '1 / (x - x)' '0 / (x - x)
   expect 1 'size' plate.off out.off --size-function "$expression" --report report.json
 done
 
+# far too many faces: said at once
+for size in 1e-6 1e-160 1e-300; do
+  expect 1 'more than the limit' plate.off out.off --size "$size"
+done
+expect 1 'more than the limit' plate.off out.off --size-function 'x < 2 ? 1e-200 : 1'
+
 # refused backgrounds
 expect 1 'no such file' plate.off out.off --background missing.ply
 expect 1 'must end in .ply' plate.off out.off --background plate.off
@@ -244,10 +257,13 @@ expect 2 'twice' plate.off out.off --size 1 --report plate.off
 expect 2 'schedule' plate.off out.off --size 1 --schedule fast
 expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle -3
 expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle wide
+for angle in 0 181 nan; do
+  expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle "$angle"
+done
 expect 2 'max-iterations' plate.off out.off --size 1 --max-iterations 0
 for number in 0 -1 nan inf many; do
-  for option in --curvature --chord-error --proximity --min-size --max-size; do
-    expect 2 'curvature|chord-error|proximity|size' plate.off out.off --size 1 "$option" "$number"
+  for option in --curvature --chord-error --proximity --min-size --max-size --max-distance; do
+    expect 2 "^quad_adapt: $option: $number is not a finite number" plate.off out.off --size 1 "$option" "$number"
   done
 done
 expect 2 'curvature' plate.off out.off --curvature 2
@@ -263,6 +279,12 @@ done
 expect 1 'size' plate.off out.off --size-function 'x - 2' --gradation 0.2
 for expression in 'x +' 'q' '1, 2' '(x' '' 'sin(x, y)'; do
   expect 2 'size-function' plate.off out.off --size-function "$expression"
+done
+for expression in 'x <' 'w > 0' 'x = 1'; do
+  expect 2 'region' plate.off out.off --size 1 --region "$expression"
+done
+for expression in 'x = 3' 'y += 1' 'x == 1 ? 1 : x = 2'; do
+  expect 2 '== compares' plate.off out.off --size-function "$expression"
 done
 
 # interrupted: by its own code, nothing written.  Job control, or the child would ignore Ctrl-C.

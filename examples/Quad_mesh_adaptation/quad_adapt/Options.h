@@ -54,18 +54,20 @@ enum Exit_code
   exit_interrupted = 130
 };
 
-// A finite number from `low` on, or above 0 where `low` is 0; "nan" is a number to most parsers.
-inline CLI::Validator number_from(double low)
+// A finite number from `low` on, or above 0 where `low` is 0, and not above `high`; "nan" is a
+// number to most parsers.
+inline CLI::Validator number_from(double low, double high = std::numeric_limits<double>::infinity())
 {
   return CLI::Validator(
-      [low](std::string& text) {
+      [low, high](std::string& text) {
         char* end = nullptr;
         const double value = std::strtod(text.c_str(), &end);
         const bool is_number = end != text.c_str() && *end == 0 && std::isfinite(value);
-        if(is_number && (low > 0 ? value >= low : value > 0)) return std::string();
+        if(is_number && (low > 0 ? value >= low : value > 0) && value <= high) return std::string();
         std::ostringstream message;
         message << text << " is not a finite number " << (low > 0 ? "from " : "above ") << low
                 << (low > 0 ? " on" : "");
+        if(std::isfinite(high)) message << ", " << high << " at most";
         return message.str();
       },
       "");
@@ -149,11 +151,12 @@ inline void describe_surface(CLI::App& app, Options& options)
   app.add_option("--max-distance", options.max_distance,
                  "Let no face be farther from that surface than D [no limit]")
       ->type_name("D")
-      ->check(CLI::PositiveNumber);
+      ->check(number_from(0));
   app.add_option("--feature-angle", options.feature_angle,
-                 "Turn in degrees from which an edge or a corner is kept; 180 keeps none")
+                 "Turn in degrees, up to 180, from which an edge or a corner is kept; 180\n"
+                 "keeps none")
       ->type_name("DEG")
-      ->check(CLI::Range(0., 180.))
+      ->check(number_from(0, 180))
       ->capture_default_str();
   app.add_option("--region", options.region,
                  "Change only faces at whose centre this expression in x, y, z is not zero, like\n"

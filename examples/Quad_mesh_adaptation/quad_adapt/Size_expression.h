@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -24,6 +25,10 @@ public:
   /// `false` and `message` when the text is no expression.
   bool parse(const std::string& text, std::string& message)
   {
+    if(assigns(text)) {
+      message = "= gives a variable a value, == compares";
+      return false;
+    }
     try {
       Parsed first(text);
       first.parser.Eval();
@@ -83,6 +88,19 @@ private:
     std::shared_mutex mutex;
     std::map<std::thread::id, std::unique_ptr<Parsed>> by_thread;
   };
+
+  // The parser takes "x = 3" for an expression, and loses x over it.
+  static bool assigns(const std::string& text)
+  {
+    for(std::size_t i = 0; i < text.size(); ++i) {
+      if(text[i] != '=') continue;
+      if(i + 1 < text.size() && text[i + 1] == '=')
+        ++i;
+      else if(i == 0 || std::string("<>!").find(text[i - 1]) == std::string::npos)
+        return true;
+    }
+    return false;
+  }
 
   // What the parser does not bring itself.
   static void define_names(mu::Parser& parser)

@@ -28,7 +28,8 @@ inline int choose_region(const Options& options, const Mesh& mesh,
   if(!options.region) return 0;
   Size_expression inside;
   std::string message;
-  if(!inside.parse(*options.region, message)) return refuse("--region: " + message);
+  if(!inside.parse(*options.region, message))
+    return refuse("--region: " + message + "; see quad_adapt --help", exit_wrong_usage);
   for(Mesh::Face_index f : mesh.faces()) {
     double x = 0, y = 0, z = 0;
     for(Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(f), mesh)) {

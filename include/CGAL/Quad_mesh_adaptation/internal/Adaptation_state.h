@@ -5,11 +5,13 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPTATION_STATE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Coverage.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Face_values.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_caches.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Feature_curve.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_surface.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Run_record.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Size_sampler.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Smoothing_weights.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Workers.h>
 #include <CGAL/Quad_mesh_adaptation/internal/face_energy.h>
 
@@ -19,36 +21,15 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Thrown by the progress check, caught at the public header.
-struct Cancelled
-{
-};
-
-// What the smoother minimises: shape + size * (r^power / 2) + hinge * max(0, r - hinge_at)^2.
-struct Smoothing_weights
-{
-  double size = 1;
-  int power = 10;
-  double hinge = 0; // switched on for the last sweeps
-  double hinge_at = 0.985;
-  double wake = 0.003;           // neighbours look again after moves above this share of an edge
-  double stir = 0.02;            // and operations about the node are tried again above this one
-  bool keep_within_size = false; // no move leaves a face above its size that was not
-  double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)
-};
-
 // Everything the phases work on: a compact copy of the caller's mesh, so that the call is
 // transactional and the heavy code is compiled once, whatever the mesh type.
-struct Adaptation_state
+struct Adaptation_state : Run_record, Face_caches
 {
   Quad_complex mesh;
   std::vector<Feature_curve> curves;
@@ -63,23 +44,9 @@ struct Adaptation_state
                                                                    // distance_guard.h
   Smoothing_weights smoothing;
 
-  std::vector<std::pair<const char*, std::size_t>> operations; // how often each was committed
-  Face_values<float> energies;                                 // see cached_energy()
-  mutable Face_values<double> ratios;                          // see size_ratio()
-  Face_values<float> factors;                                  // see size_factor()
-  std::vector<std::uint8_t> factor_age;                        // moves of its corners since then
-  Workers workers;                                             // for what can be done side by side
-  std::function<void(double)> report_progress = [](double) {}; // throws Cancelled
-  double progress = 0;                                         // of the whole call, 0 to 1
-
-  void check_cancelled() const { report_progress(progress); }
-
-  // Told when a phase starts (name, iteration) and ends (name, faces).
-  std::function<void(const char*, std::size_t)> start_phase = [](const char*, std::size_t) {};
-  std::function<void(const char*, std::size_t)> end_phase = [](const char*, std::size_t) {};
-  std::size_t iterations = 0; // passes of the driver's loop
-  std::size_t copies = 1;     // mirror images that make the whole mesh
-  int order = 0;              // of walks, see Walk: other ways to choose among equals
+  Workers workers;        // for what can be done side by side
+  std::size_t copies = 1; // mirror images that make the whole mesh
+  int order = 0;          // of walks, see Walk: other ways to choose among equals
 
   Corners corners(Index f) const
   {
@@ -189,32 +156,10 @@ struct Adaptation_state
     return float(size.at_face(corners(f)) / sum);
   }
 
-  // A corner of face f has moved.
-  void face_moved(Index f)
-  {
-    energies.forget(f);
-    ratios.forget(f);
-    if(f < Index(factor_age.size()) && factor_age[f] < 255) ++factor_age[f];
-  }
-  // Face f is another one now.
-  void face_replaced(Index f)
-  {
-    energies.forget(f);
-    ratios.forget(f);
-    factors.forget(f);
-  }
-  void forget_energies() { energies.forget_all(); }
-  void forget_sizes()
-  {
-    energies.forget_all();
-    ratios.forget_all();
-  }
   void forget_faces()
   {
-    forget_sizes();
+    forget_values();
     coverage.lose();
-    factors.forget_all();
-    factor_age.clear();
   }
   // In the end, when all that was to be known of it is.
   void forget_surface()
@@ -226,19 +171,14 @@ struct Adaptation_state
   // Face `order[i]` has number i now.
   void renumber_faces(const std::vector<Index>& order)
   {
-    forget_sizes();
+    forget_values();
     coverage.renumber(order);
-    factors.forget_all();
-    factor_age.clear();
   }
 
   // Before threads ask for values of faces, disturb and stir: nothing has to grow then.
   void make_room()
   {
-    energies.fit(mesh.face_end());
-    ratios.fit(mesh.face_end());
-    factors.fit(mesh.face_end());
-    factor_age.resize(mesh.face_end(), 0);
+    fit_values(mesh.face_end());
     coverage.fit(mesh.face_end());
     restless.resize(mesh.vertex_end(), 1);
     stirred.resize(mesh.vertex_end(), 1);
@@ -335,23 +275,6 @@ struct Adaptation_state
       r.p = on.point;
       r.normal = on.normal;
     }
-  }
-
-  // `operation` is a literal.
-  void count(const char* operation, std::size_t n = 1)
-  {
-    for(auto& o : operations)
-      if(o.first == operation) {
-        o.second += n;
-        return;
-      }
-    operations.emplace_back(operation, n);
-  }
-  std::map<std::string, std::size_t> operation_counts() const
-  {
-    std::map<std::string, std::size_t> counts;
-    for(const auto& o : operations) counts[o.first] += o.second;
-    return counts;
   }
 
   // The triangle of the reference surface from where to look for a new node at p inside face f:

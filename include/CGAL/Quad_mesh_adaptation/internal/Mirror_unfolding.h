@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Mirror_assembly.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_plane.h>
 
@@ -44,7 +45,7 @@ public:
         r.hint = 2 * origin.face[r.hint / 2] + r.hint % 2;
     for(Index f = 0; f < m.face_end(); ++f) {
       if(!m.is_face(f)) continue;
-      Face face;
+      Mirrored_face face;
       face.v = m.quad(f);
       for(int i = 0; i < 4; ++i) face.curve[i] = m.curve(4 * f + i);
       face.patch = m.patch(f);
@@ -60,7 +61,7 @@ public:
     touched_.assign(vertices_.size(), 0);
     for(int i = int(planes_.size()) - 1; i >= 0; --i)
       if(!add_images(i, limit)) return i;
-    return link();
+    return Mirror_assembly(in_, whole_, vertices_, faces_, touched_, int(planes_.size()), mesh_)();
   }
 
   // Only after success.
@@ -68,14 +69,6 @@ public:
   std::vector<Feature_curve>& curves() { return curves_; }
 
 private:
-  struct Face
-  {
-    Quad v;
-    std::array<Index, 4> curve;
-    Index patch = -1;
-    Index slot = -1; // number of the quad of the input that it is, or that it stands for now
-  };
-
   bool add_images(int i, double limit)
   {
     const Mirror_plane& plane = planes_[i];
@@ -84,8 +77,8 @@ private:
     const std::size_t n = faces_.size(), old_curves = curves_.size();
     curve_image_.assign(old_curves, -1);
     for(std::size_t f = 0; f < n; ++f) {
-      const Face face = faces_[f];
-      Face other;
+      const Mirrored_face face = faces_[f];
+      Mirrored_face other;
       for(int k = 0; k < 4; ++k) {
         const Index c = face.curve[(3 - k) & 3];
         other.v[k] = image_of(face.v[(4 - k) & 3], plane, i);
@@ -108,7 +101,7 @@ private:
   void settle_on(int i)
   {
     touched_.resize(vertices_.size(), 0);
-    for(const Face& f : faces_)
+    for(const Mirrored_face& f : faces_)
       for(int k = 0; k < 4; ++k)
         if(f.curve[k] >= 0 && cut_.plane[f.curve[k]] == i)
           touched_[f.v[k]] |= 1 << i, touched_[f.v[(k + 1) & 3]] |= 1 << i;
@@ -171,7 +164,7 @@ private:
   // The edges along plane i become edges inside the surface, unless a feature runs there.
   void dissolve_cut(int i)
   {
-    for(Face& f : faces_)
+    for(Mirrored_face& f : faces_)
       for(Index& c : f.curve)
         if(c >= 0 && cut_.plane[c] == i && !cut_.is_feature[c]) c = -1;
     for(std::size_t c = 0; c < curves_.size(); ++c) {
@@ -199,19 +192,8 @@ private:
     }
   }
 
-  // Nodes of former cuts lie on the surface already; what they miss is their triangle.
-  void place_on_surface()
-  {
-    for(Index v = 0; v < mesh_.vertex_end(); ++v) {
-      Vertex_record& r = mesh_.vertex(v);
-      if(!mesh_.is_vertex(v) || r.carrier != Carrier::surface || r.hint >= 0) continue;
-      r.hint = whole_.surface.find(r.p, -1, Vec(0, 0, 0));
-      r.normal = whole_.surface.normal(r.hint);
-    }
-  }
-
   // A face that is one of the input again starts at the same corner.
-  void turn_as_in_input(Face& f) const
+  void turn_as_in_input(Mirrored_face& f) const
   {
     for(int k = 0; k < 4 && f.v[0] != in_.quads[f.slot][0]; ++k) {
       std::rotate(f.v.begin(), f.v.begin() + 1, f.v.end());
@@ -219,14 +201,14 @@ private:
     }
   }
 
-  Corners corners(const Face& f) const
+  Corners corners(const Mirrored_face& f) const
   {
     return { vertices_[f.v[0]].p, vertices_[f.v[1]].p, vertices_[f.v[2]].p, vertices_[f.v[3]].p };
   }
 
   // The sizes were compared at the vertices, edges and faces of the input only; here they are at
   // the faces that came out.
-  bool has_same_size(const Face& a, const Face& b, double limit) const
+  bool has_same_size(const Mirrored_face& a, const Mirrored_face& b, double limit) const
   {
     if(whole_.size.is_constant()) return true;
     const Corners p = corners(a), q = corners(b);
@@ -236,66 +218,12 @@ private:
     return mean_edge_length(p) / h > bound || !(mean_edge_length(q) / g > bound);
   }
 
-  // Faces of the input in their places, new ones behind.
-  int link()
-  {
-    mesh_.reserve(vertices_.size(), 0);
-    for(Vertex_record& v : vertices_) {
-      v.halfedge = 0;
-      mesh_.add_vertex(v);
-    }
-    std::vector<Vertex_record>().swap(vertices_); // not twice for longer than needed
-    mesh_.protect_vertices_below(Index(in_.points.size()));
-    std::vector<const Face*> placed(in_.quads.size(), nullptr);
-    for(const Face& f : faces_) {
-      if(f.slot >= 0)
-        placed[f.slot] = &f;
-      else
-        placed.push_back(&f);
-    }
-    mesh_.reserve(0, placed.size());
-    for(const Face* f : placed) mesh_.add_face(f ? f->v : faces_[0].v, f ? f->patch : 0);
-    for(std::size_t f = 0; f < placed.size(); ++f)
-      if(!placed[f]) mesh_.remove_face(Index(f));
-    Index bad = -1;
-    if(!mesh_.link(&bad)) return plane_of(mesh_.origin(bad), mesh_.target(bad));
-    for(std::size_t f = 0; f < placed.size(); ++f)
-      for(int k = 0; placed[f] && k < 4; ++k)
-        if(placed[f]->curve[k] >= 0) mesh_.set_curve(Index(4 * f) + k, placed[f]->curve[k]);
-    std::vector<Face>().swap(faces_);
-    const int blamed = find_bad_vertex();
-    if(blamed < 0) place_on_surface();
-    return blamed;
-  }
-
-  // Two faces that share two edges, or two fans of faces at one vertex: -1 if there are none.
-  int find_bad_vertex() const
-  {
-    std::vector<Index> out;
-    for(Index v = 0; v < mesh_.vertex_end(); ++v) {
-      if(!mesh_.is_vertex(v) || touched_[v] == 0) continue;
-      mesh_.outgoing(v, out);
-      const int faces = mesh_.vertex(v).faces;
-      const bool doublet = faces < 3 && !mesh_.is_border_vertex(v) &&
-                           !(is_given(v) && whole_.mesh.vertex(v).faces == faces);
-      if(doublet || int(out.size()) != faces) return plane_of(v, v);
-    }
-    return -1;
-  }
-
-  int plane_of(Index u, Index v) const
-  {
-    for(int i = int(planes_.size()) - 1; i > 0; --i)
-      if(is_on(u, i) && is_on(v, i)) return i;
-    return 0;
-  }
-
   const Input_mesh& in_;
   const Adaptation_state& whole_;
   const std::vector<Mirror_plane>& planes_;
   std::vector<Vertex_record> vertices_;
   std::vector<unsigned char> touched_; // bit i: the vertex lies on plane i
-  std::vector<Face> faces_;
+  std::vector<Mirrored_face> faces_;
   std::vector<Feature_curve> curves_;
   Mirror_part::Cut cut_;
   std::vector<Index> image_, curve_image_;

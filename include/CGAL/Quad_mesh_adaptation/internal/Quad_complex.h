@@ -4,10 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_COMPLEX_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_COMPLEX_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Quad_topology.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -16,114 +15,19 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// What a node may move on.
-enum class Carrier : std::uint8_t
-{
-  surface,
-  curve,
-  corner
-};
-
-struct Vertex_record
-{
-  Vec p = Vec(0, 0, 0);
-  Vec normal = Vec(0, 0, 0);    // of the reference surface; zero on curves of a curved surface
-  double param = 0;             // arc length on its curve
-  double h = 0;                 // wanted edge length here
-  double floor = 0;             // under-resolved places pursue this size for the moment
-  Index halfedge = -1;          // outgoing; on the border the one without opposite; -1: deleted
-  Index curve = -1;             // where carrier == curve
-  Index hint = -1;              // triangle of the reference surface
-  std::int16_t faces = 0;       // number of incident faces
-  std::int16_t ideal_faces = 4; // as the angle of the surface around it asks for
-  std::int16_t images = 1;      // of a corner: how many images of its faces will meet in it
-  Carrier carrier = Carrier::surface;
-  bool frozen = false; // neither moved nor removed; on curves for a while, see curve_bends.h
-};
-
-// Frozen vertices of the caller are corners.
-inline bool is_held_at_bend(const Vertex_record& r)
-{
-  return r.frozen && r.carrier == Carrier::curve;
-}
-
-// Quads only, as arrays: half-edge 4 f + i runs from corner i of face f to corner i + 1.
-// No printing, no geometry: topology, carriers and the records above.
-class Quad_complex
+// Quads that can be built, linked and changed.
+class Quad_complex : public Quad_topology
 {
 public:
-  // --- half-edges
-  static Index face(Index h) { return h >> 2; }
-  static Index next(Index h) { return (h & ~3) | ((h + 1) & 3); }
-  static Index prev(Index h) { return (h & ~3) | ((h + 3) & 3); }
-  static Index halfedge(Index f) { return f << 2; }
-  Index origin(Index h) const { return origin_[h]; }
-  Index target(Index h) const { return origin_[next(h)]; }
-  Index opposite(Index h) const { return opposite_[h]; } // -1 on the border
-  Index curve(Index h) const { return curve_[h]; }       // -1 inside a surface patch
-  bool is_border(Index h) const { return opposite_[h] < 0; }
-  // the outgoing half-edge next counter-clockwise about origin(h), -1 past the border
-  Index turn_left(Index h) const { return opposite_[prev(h)]; }
-  // and clockwise
-  Index turn_right(Index h) const { return opposite_[h] < 0 ? Index(-1) : next(opposite_[h]); }
-
-  // --- sizes of the arrays, deleted records included
-  Index face_end() const { return Index(origin_.size() / 4); }
-  Index vertex_end() const { return Index(vertices_.size()); }
-  bool is_face(Index f) const { return origin_[4 * f] >= 0; }
-  bool is_vertex(Index v) const { return vertices_[v].halfedge >= 0; }
-  Index number_of_faces() const { return face_count_; }
-
-  Quad quad(Index f) const
-  {
-    return { origin_[4 * f], origin_[4 * f + 1], origin_[4 * f + 2], origin_[4 * f + 3] };
-  }
-
+  using Quad_topology::vertex;
   Vertex_record& vertex(Index v) { return vertices_[v]; }
-  const Vertex_record& vertex(Index v) const { return vertices_[v]; }
-  const Vec& point(Index v) const { return vertices_[v].p; }
-  bool is_border_vertex(Index v) const { return opposite_[vertices_[v].halfedge] < 0; }
-  // number of edges at v
-  int valence(Index v) const { return vertices_[v].faces + (is_border_vertex(v) ? 1 : 0); }
 
-  Index patch(Index f) const { return patch_[f]; }
   void set_patch(Index f, Index p) { patch_[f] = p; }
-
-  // Outgoing half-edges of v, counter-clockwise from halfedge(v).
-  template <typename Container>
-  void outgoing(Index v, Container& out) const
-  {
-    out.clear();
-    const Index start = vertices_[v].halfedge;
-    Index h = start;
-    do {
-      out.push_back(h);
-      h = turn_left(h);
-    } while(h >= 0 && h != start);
-  }
-
-  // The half-edge from u to v, -1 if there is none that has a face on its left.
-  Index find_halfedge(Index u, Index v) const
-  {
-    const Index start = vertices_[u].halfedge;
-    Index h = start;
-    do {
-      if(target(h) == v) return h;
-      h = turn_left(h);
-    } while(h >= 0 && h != start);
-    return -1;
-  }
-
-  bool are_adjacent(Index u, Index v) const
-  {
-    return find_halfedge(u, v) >= 0 || find_halfedge(v, u) >= 0;
-  }
 
   // Vertices below v are never recycled: they stand for vertices of the caller.
   void protect_vertices_below(Index v) { first_reusable_ = v; }
   bool is_protected(Index v) const { return v < first_reusable_; }
 
-  // --- building
   void reserve(std::size_t vertices, std::size_t faces)
   {
     vertices_.reserve(vertices);
@@ -360,10 +264,7 @@ private:
     if(list.size() + n > list.capacity()) list.reserve(list.size() + list.size() / 4 + n + 64);
   }
 
-  std::vector<Index> origin_, opposite_, curve_, patch_;
-  std::vector<Vertex_record> vertices_;
   std::vector<Index> free_faces_, free_vertices_;
-  Index face_count_ = 0;
   Index first_reusable_ = 0;
 };
 

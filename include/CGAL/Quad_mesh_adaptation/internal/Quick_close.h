@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUICK_CLOSE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUICK_CLOSE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/changed_face_quality.h>
 #include <CGAL/Quad_mesh_adaptation/internal/merged_position.h>
 
 #include <algorithm>
@@ -138,26 +139,12 @@ private:
     return (merged_.p - guess).squared_length() < 0.1 * along.squared_length();
   }
 
-  const Vertex_record& node(Index v) const
-  {
-    return v == a_ || v == c_ ? merged_ : s_.mesh.vertex(v);
-  }
-
-  // Quality of a face, -2 where it is too large.
   double quality(const Quad& q) const
   {
-    Corners p;
-    Facing reference;
-    double sizes = 0;
-    for(int i = 0; i < 4; ++i) {
-      const Vertex_record& r = node(q[i]);
-      p[i] = r.p;
-      reference.add(r.normal);
-      sizes += r.h;
-    }
-    return mean_edge_length(p) > 0.25 * limit_ * sizes
-               ? -2
-               : Adaptation_state::face_quality(p, reference);
+    const auto node = [this](Index v) -> const Vertex_record& {
+      return v == a_ || v == c_ ? merged_ : s_.mesh.vertex(v);
+    };
+    return changed_face_quality(q, node, limit_);
   }
 
   Quad fused() const

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_SURFACE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Box_tree.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Linked_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/closest_point.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
@@ -13,16 +14,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-using Edge_keys = std::vector<std::pair<Index, Index>>; // edges by their ends, lower one first
 
 // From a point of a triangle to the true surface above it.
 using Surface_lift = std::function<Surface_point(const Vec& foot, Index triangle)>;
@@ -31,10 +28,8 @@ using Surface_lift = std::function<Surface_point(const Vec& foot, Index triangle
 // half of each), their adjacency, and a tree of boxes.  A node remembers the triangle it lies
 // on; a small move is followed from triangle to neighbouring triangle, which is fast and cannot
 // jump to another sheet; the tree finds where to start and takes over when the walk is lost.
-//
-// Nobody walks across a sharp edge: the triangles between such edges are a patch, and a node stays
-// on its own.  Nor does one step lead to a triangle that faces the other way.  A lift, if set,
-// takes the point found to the surface that the triangles only approximate.
+// A node stays on its patch.  A lift, if set, takes the point found to the surface that the
+// triangles only approximate.
 class Reference_surface
 {
 public:
@@ -43,22 +38,16 @@ public:
   // `sharp` is sorted.
   Reference_surface(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles,
                     const Edge_keys& sharp = {})
-      : points_(std::move(points)), triangles_(std::move(triangles))
+      : mesh_(std::move(points), std::move(triangles), sharp)
   {
-    find_normals();
-    link(sharp);
-    number_patches();
     detect_plane();
   }
 
   // Of triangles whose neighbours across sides (i, i + 1) are known.
   Reference_surface(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles,
                     std::vector<std::array<Index, 3>> neighbours)
-      : points_(std::move(points)), triangles_(std::move(triangles)),
-        neighbours_(std::move(neighbours))
+      : mesh_(std::move(points), std::move(triangles), std::move(neighbours))
   {
-    find_normals();
-    number_patches();
     detect_plane();
   }
 
@@ -70,22 +59,16 @@ public:
   bool has_lift() const { return bool(lift_); }
 
   bool is_planar() const { return planar_; }
-  std::size_t number_of_triangles() const { return triangles_.size(); }
-
-  std::array<Vec, 3> triangle(Index t) const
-  {
-    const auto& c = triangles_[t];
-    return { points_[c[0]], points_[c[1]], points_[c[2]] };
-  }
-
-  const std::vector<Vec>& points() const { return points_; }
-  const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
+  std::size_t number_of_triangles() const { return mesh_.number_of_triangles(); }
+  std::array<Vec, 3> triangle(Index t) const { return mesh_.triangle(t); }
+  const std::vector<Vec>& points() const { return mesh_.points(); }
+  const std::vector<std::array<Index, 3>>& triangles() const { return mesh_.triangles(); }
   // Across edge (i, i + 1) of triangle t; -1 at the border and at a sharp edge.
-  Index neighbour(Index t, int i) const { return neighbours_[t][i]; }
-  Index patch(Index t) const { return patches_[t]; }
+  Index neighbour(Index t, int i) const { return mesh_.neighbour(t, i); }
+  Index patch(Index t) const { return mesh_.patch(t); }
 
   // Unit normal of triangle t; the plane's normal on a planar surface, whatever t.
-  Vec normal(Index t) const { return planar_ ? plane_normal_ : normals_[t]; }
+  Vec normal(Index t) const { return planar_ ? plane_normal_ : mesh_.normal(t); }
 
   // Point of the surface nearest to p and its normal, looked for from triangle `hint`, which is
   // updated; hint < 0 asks the tree.  With a lift, the foot on the triangles is shifted until the
@@ -164,7 +147,7 @@ public:
   {
     if(planar_) return -1;
     const auto accept = [&](Index t) {
-      return (patch < 0 || patches_[t] == patch) && !(normals_[t] * direction < 0);
+      return (patch < 0 || mesh_.patch(t) == patch) && !(mesh_.normal(t) * direction < 0);
     };
     return tree().nearest(p, Corners_of{ *this }, accept, within).triangle;
   }
@@ -174,8 +157,8 @@ public:
   {
     Index best = -1;
     double least = within * within;
-    for(Index t = 0; t < Index(triangles_.size()); ++t) {
-      if(patch >= 0 && patches_[t] != patch) continue;
+    for(Index t = 0; t < Index(number_of_triangles()); ++t) {
+      if(patch >= 0 && mesh_.patch(t) != patch) continue;
       const std::array<Vec, 3> c = triangle(t);
       double off = 0; // squared distance from the box of the triangle
       for(int i = 0; i < 3; ++i) {
@@ -183,7 +166,7 @@ public:
                                       p[i] - (std::max)({ c[0][i], c[1][i], c[2][i] }), 0. });
         off += x * x;
       }
-      if(off >= least || normals_[t] * direction < 0) continue;
+      if(off >= least || mesh_.normal(t) * direction < 0) continue;
       const double d = (p - closest_on_triangle(p, c).point).squared_length();
       if(!(d < least)) continue;
       least = d;
@@ -213,151 +196,32 @@ private:
     return found.point;
   }
 
-  // To the nearest point from triangle t, or to the first whose squared distance is near enough.
   Vec walk(const Vec& p, Index& t, double near_enough = 0) const
   {
     const Index start = t;
-    auto here = closest_on_triangle(p, triangle(t));
-    double d = (p - here.point).squared_length();
-    for(int step = 0; step < 200; ++step) {
-      if(here.feature == Triangle_feature::inside || d <= near_enough) return here.point;
-      const Index next = better_neighbour(p, t, start, here, d);
-      if(next < 0) return here.point;
-      t = next;
-    }
-    t = find(p, patches_[start], normals_[start]);
+    const Vec there = mesh_.walk(p, t, near_enough);
+    if(t >= 0) return there;
+    t = find(p, patch(start), mesh_.normal(start));
     return closest_on_triangle(p, triangle(t)).point;
-  }
-
-  // The neighbour of t, across the edge or round the corner that `here` lies on, that is nearer
-  // to p; updates here and d.  -1 if there is none.
-  Index better_neighbour(const Vec& p, Index t, Index start, Closest_on_triangle& here,
-                         double& d) const
-  {
-    const double enough = d * (1 - 1e-12) - 1e-300;
-    if(here.is_edge()) {
-      const Index n = neighbours_[t][here.index];
-      return n >= 0 && improves(p, n, start, enough, here, d) ? n : Index(-1);
-    }
-    const Index corner = triangles_[t][here.index];
-    for(int side = 0; side < 2; ++side) { // both ways round, for corners on the border
-      Index u = t;
-      for(int guard = 0; guard < 64; ++guard) {
-        const int i = corner_index(u, corner);
-        const Index n = neighbours_[u][side == 0 ? (i + 2) % 3 : i];
-        if(n < 0 || n == t) break;
-        if(improves(p, n, start, enough, here, d)) return n;
-        u = n;
-      }
-    }
-    return -1;
-  }
-
-  bool improves(const Vec& p, Index n, Index start, double enough, Closest_on_triangle& here,
-                double& d) const
-  {
-    // round a thin edge to the other side; a right angle, as of a box, is still allowed
-    if(normals_[n] * normals_[start] < -0.2) return false;
-    const auto there = closest_on_triangle(p, triangle(n));
-    const double dn = (p - there.point).squared_length();
-    if(!(dn < enough)) return false;
-    here = there;
-    d = dn;
-    return true;
-  }
-
-  int corner_index(Index t, Index v) const
-  {
-    return triangles_[t][0] == v ? 0 : triangles_[t][1] == v ? 1 : 2;
-  }
-
-  struct Side // of a triangle, in the bucket of its lower end
-  {
-    Index high, triangle, side;
-    bool operator<(const Side& o) const
-    {
-      return std::tie(high, triangle, side) < std::tie(o.high, o.triangle, o.side);
-    }
-  };
-
-  void find_normals()
-  {
-    normals_.reserve(triangles_.size());
-    for(std::size_t t = 0; t < triangles_.size(); ++t) {
-      const auto c = triangle(Index(t));
-      normals_.push_back(normalized(cross(c[1] - c[0], c[2] - c[0])));
-    }
-  }
-
-  void link(const Edge_keys& sharp)
-  {
-    neighbours_.assign(triangles_.size(), { -1, -1, -1 });
-    std::vector<std::size_t> first(points_.size() + 1, 0);
-    for(std::size_t t = 0; t < triangles_.size(); ++t)
-      for(int i = 0; i < 3; ++i) ++first[(std::min)(end(t, i), end(t, i + 1)) + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<Side> sides(first.back());
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for(std::size_t t = 0; t < triangles_.size(); ++t)
-      for(int i = 0; i < 3; ++i) {
-        const Index a = end(t, i), b = end(t, i + 1);
-        sides[next[(std::min)(a, b)]++] = { (std::max)(a, b), Index(t), Index(i) };
-      }
-    for(std::size_t v = 0; v < points_.size(); ++v) {
-      std::sort(sides.begin() + first[v], sides.begin() + first[v + 1]);
-      for(std::size_t i = first[v]; i + 1 < first[v + 1]; ++i)
-        link_sides(Index(v), sides[i], sides[i + 1], sharp);
-    }
-  }
-
-  Index end(std::size_t t, int i) const { return triangles_[t][i % 3]; }
-
-  void link_sides(Index low, const Side& e, const Side& f, const Edge_keys& sharp)
-  {
-    if(e.high != f.high) return;
-    if(std::binary_search(sharp.begin(), sharp.end(), std::make_pair(low, e.high))) return;
-    neighbours_[e.triangle][e.side] = f.triangle;
-    neighbours_[f.triangle][f.side] = e.triangle;
-  }
-
-  void number_patches()
-  {
-    patches_.assign(triangles_.size(), -1);
-    Index number = 0;
-    std::vector<Index> todo;
-    for(std::size_t first = 0; first < triangles_.size(); ++first) {
-      if(patches_[first] >= 0) continue;
-      patches_[first] = number;
-      todo.push_back(Index(first));
-      while(!todo.empty()) {
-        const Index t = todo.back();
-        todo.pop_back();
-        for(Index n : neighbours_[t]) {
-          if(n < 0 || patches_[n] >= 0) continue;
-          patches_[n] = number;
-          todo.push_back(n);
-        }
-      }
-      ++number;
-    }
   }
 
   void detect_plane()
   {
+    const Vec first = triangle(0)[0];
     Vec n(0, 0, 0);
     double size = 0;
-    for(std::size_t t = 0; t < triangles_.size(); ++t) {
+    for(std::size_t t = 0; t < number_of_triangles(); ++t) {
       const auto c = triangle(Index(t));
       n = n + cross(c[1] - c[0], c[2] - c[0]);
-      size = (std::max)(size, distance(c[0], points_[triangles_[0][0]]));
+      size = (std::max)(size, distance(c[0], first));
     }
     plane_normal_ = normalized(n);
-    plane_point_ = points_[triangles_[0][0]];
+    plane_point_ = first;
     planar_ = n * n > 0;
-    for(std::size_t t = 0; planar_ && t < triangles_.size(); ++t) {
+    for(std::size_t t = 0; planar_ && t < number_of_triangles(); ++t) {
       for(const Vec& q : triangle(Index(t)))
         planar_ = planar_ && std::abs((q - plane_point_) * plane_normal_) <= 1e-12 * size;
-      planar_ = planar_ && normals_[t] * plane_normal_ > 0;
+      planar_ = planar_ && mesh_.normal(Index(t)) * plane_normal_ > 0;
     }
   }
 
@@ -372,7 +236,7 @@ private:
   {
     const std::lock_guard<std::mutex> lock(tree_->mutex);
     if(!tree_->tree)
-      tree_->tree = std::make_unique<Box_tree>(Index(triangles_.size()), Corners_of{ *this });
+      tree_->tree = std::make_unique<Box_tree>(Index(number_of_triangles()), Corners_of{ *this });
     return *tree_->tree;
   }
 
@@ -382,10 +246,7 @@ private:
     std::unique_ptr<Box_tree> tree;
   };
 
-  std::vector<Vec> points_;
-  std::vector<std::array<Index, 3>> triangles_, neighbours_; // neighbour i: across edge i, i+1
-  std::vector<Vec> normals_;
-  std::vector<Index> patches_;
+  Linked_triangles mesh_;
   Surface_lift lift_;
   bool planar_ = false;
   Vec plane_normal_ = Vec(0, 0, 1), plane_point_ = Vec(0, 0, 0);

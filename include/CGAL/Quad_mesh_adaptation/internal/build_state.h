@@ -5,21 +5,18 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_BUILD_STATE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Crease_lookup.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Curve_tracer.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Feature_marking.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_matcher.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Smooth_surface.h>
-#include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -38,8 +35,9 @@ public:
   void operator()(const Geometry_options& geometry = Geometry_options())
   {
     make_complex();
-    mark_features(geometry.reference);
-    mark_corners();
+    Feature_marking mark(in_, cos_, off_, s_);
+    mark.mark_edges(geometry.reference);
+    mark.mark_corners();
     Curve_tracer tracer(in_, s_, geometry.smooth && !geometry.reference);
     tracer();
     number_patches();
@@ -90,76 +88,6 @@ private:
         throw Refused{ Refusal::non_manifold, "joins parts of the mesh that share no edge there",
                        -1, v };
     }
-  }
-
-  // Temporarily, curve 0 on a half-edge says "feature".  A separate reference knows where creases
-  // are: the edges of a coarse mesh of it turn by more than it does.
-  void mark_features(const Triangle_soup* reference)
-  {
-    Quad_complex& m = s_.mesh;
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      const Index o = m.opposite(h);
-      bool feature = o < 0 || in_.has_constrained(h);
-      if(!feature && !in_.patch.empty()) feature = in_.patch[m.face(h)] != in_.patch[m.face(o)];
-      if(feature) m.set_curve(h, 0);
-    }
-    if(off_) return;
-    std::optional<Reference_creases> creases;
-    std::optional<Crease_lookup> known;
-    if(reference) known.emplace(creases.emplace(*reference, cos_, off_));
-    std::vector<char> detected(4 * std::size_t(m.face_end()), 0);
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(m.curve(h) >= 0 || m.opposite(h) < h || !turns_across(h)) continue;
-      if(known && !known->runs_along(m.point(m.origin(h)), m.point(m.target(h)))) continue;
-      m.set_curve(h, 0);
-      detected[h] = detected[m.opposite(h)] = 1;
-    }
-    Stray_creases(s_, detected)();
-  }
-
-  bool turns_across(Index h) const
-  {
-    const Quad_complex& m = s_.mesh;
-    const Vec a = area_vector(s_.corners(m.face(h)));
-    const Vec b = area_vector(s_.corners(m.face(m.opposite(h))));
-    return a * b < cos_ * norm(a) * norm(b);
-  }
-
-  void mark_corners()
-  {
-    Quad_complex& m = s_.mesh;
-    std::vector<std::vector<Index>> ends(m.vertex_end()); // feature half-edges by end
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(m.curve(h) < 0 || (m.opposite(h) >= 0 && m.opposite(h) < h)) continue;
-      ends[m.origin(h)].push_back(h);
-      ends[m.target(h)].push_back(h);
-    }
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      Vertex_record& r = m.vertex(v);
-      if(!m.is_vertex(v)) continue;
-      const auto& e = ends[v];
-      if(e.empty() && !r.frozen) continue;
-      r.carrier = e.size() == 2 && !r.frozen && !turns(v, e[0], e[1]) &&
-                          in_.has_frozen(e[0]) == in_.has_frozen(e[1]) &&
-                          is_constrained(e[0]) == is_constrained(e[1])
-                      ? Carrier::curve
-                      : Carrier::corner;
-    }
-  }
-
-  bool is_constrained(Index h) const
-  {
-    const Index o = s_.mesh.opposite(h);
-    return in_.has_constrained(h) || (o >= 0 && in_.has_constrained(o));
-  }
-
-  bool turns(Index v, Index g, Index h) const
-  {
-    const Quad_complex& m = s_.mesh;
-    const auto other = [&](Index e) { return m.origin(e) == v ? m.target(e) : m.origin(e); };
-    const Vec a = m.point(v) - m.point(other(g)), b = m.point(other(h)) - m.point(v);
-    const double c = off_ ? -0.5 : cos_; // a fold back is a corner in any case
-    return a * b < c * norm(a) * norm(b);
   }
 
   // Faces that no curve parts are a patch.

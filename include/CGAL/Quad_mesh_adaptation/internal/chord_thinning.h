@@ -5,8 +5,9 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHORD_THINNING_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Chord_set.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Merged_nodes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
-#include <CGAL/Quad_mesh_adaptation/internal/merged_position.h>
+#include <CGAL/Quad_mesh_adaptation/internal/changed_face_quality.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace internal {
 class Chord_thinning
 {
 public:
-  Chord_thinning(Adaptation_state& s, double limit) : s_(s), limit_(limit), chords_(s) {}
+  Chord_thinning(Adaptation_state& s, double limit) : s_(s), limit_(limit), chords_(s), nodes_(s) {}
 
   // Returns the number of faces removed.
   std::size_t operator()()
@@ -33,7 +34,7 @@ public:
     choose();
     for(int round = 0; round < most_rounds; ++round) {
       if(chords_.number_of_chosen() == 0) return 0;
-      merge_nodes();
+      nodes_.merge(chords_);
       if(leave_out_faulty()) continue;
       const std::size_t before = std::size_t(s_.mesh.number_of_faces());
       apply();
@@ -57,75 +58,6 @@ private:
     s_.check_cancelled();
   }
 
-  // --- nodes
-
-  // The node that v becomes one with.
-  Index image(Index v) const
-  {
-    while(image_[v] != v) v = image_[v];
-    return v;
-  }
-
-  void merge_nodes()
-  {
-    const Quad_complex& m = s_.mesh;
-    image_.resize(m.vertex_end());
-    for(Index v = 0; v < m.vertex_end(); ++v) image_[v] = v;
-    merged_.clear();
-    chords_.for_each_chosen_rung([&](Index h) {
-      const Index a = image(m.origin(h)), b = image(m.target(h));
-      if(a == b) return;
-      const bool a_wins = carrier_rank(m.vertex(a)) >= carrier_rank(m.vertex(b));
-      image_[a_wins ? b : a] = a_wins ? a : b;
-    });
-    for(Index v = 0; v < m.vertex_end(); ++v)
-      if(image_[v] != v) {
-        image_[v] = image(v);
-        merged_.push_back({ image_[v], v });
-      }
-    std::stable_sort(merged_.begin(), merged_.end());
-    place_merged();
-  }
-
-  void place_merged()
-  {
-    const Quad_complex& m = s_.mesh;
-    nodes_.clear();
-    node_of_.assign(m.vertex_end(), -1);
-    for(std::size_t i = 0, end = 0; i < merged_.size(); i = end) {
-      const Index v = merged_[i].first;
-      members_.assign(1, v);
-      for(end = i; end < merged_.size() && merged_[end].first == v; ++end)
-        if(carrier_rank(m.vertex(merged_[end].second)) == carrier_rank(m.vertex(v)))
-          members_.push_back(merged_[end].second);
-      node_of_[v] = Index(nodes_.size());
-      nodes_.push_back(merged_node());
-    }
-  }
-
-  // One for those of the nodes that are as little free to move as the one that stays.
-  Vertex_record merged_node() const
-  {
-    Vertex_record w = s_.mesh.vertex(members_[0]);
-    if(members_.size() == 1 || carrier_rank(w) > 1) return w;
-    if(w.carrier == Carrier::curve) {
-      const Feature_curve& c = s_.curves[w.curve];
-      double arcs = 0;
-      for(Index v : members_) arcs += c.difference(w.param, s_.mesh.vertex(v).param);
-      w.param += arcs / double(members_.size());
-    } else {
-      w.p = merged_position(s_, members_);
-    }
-    s_.place(w);
-    return w;
-  }
-
-  const Vertex_record& node(Index v) const
-  {
-    const Index n = node_of_[image_[v]];
-    return n >= 0 ? nodes_[n] : s_.mesh.vertex(v);
-  }
-
   // --- checks
 
   // Leaves out the chords about what would be faulty; tells whether there were any.
@@ -135,7 +67,7 @@ private:
     faces_.assign(m.vertex_end(), 0);
     for(Index f = 0; f < m.face_end(); ++f)
       if(m.is_face(f) && !chords_.removes(f))
-        for(Index v : m.quad(f)) ++faces_[image_[v]];
+        for(Index v : m.quad(f)) ++faces_[nodes_.image(v)];
     std::vector<Index> faulty;
     for(Index f = 0; f < m.face_end(); ++f) {
       if(!m.is_face(f) || chords_.removes(f) || !is_touched(f)) continue;
@@ -150,25 +82,17 @@ private:
   bool is_touched(Index f) const
   {
     const Quad q = s_.mesh.quad(f);
-    return std::any_of(q.begin(), q.end(), [&](Index v) { return node_of_[image_[v]] >= 0; });
+    return std::any_of(q.begin(), q.end(),
+                       [&](Index v) { return nodes_.is_merged(nodes_.image(v)); });
   }
 
   bool is_well_shaped(Index f) const
   {
     constexpr double least = 0.35;
-    const Quad q = s_.mesh.quad(f);
-    Corners p;
-    Facing reference;
-    double sizes = 0;
-    for(int i = 0; i < 4; ++i) {
-      const Vertex_record& r = node(q[i]);
-      p[i] = r.p;
-      reference.add(r.normal);
-      sizes += r.h;
-      if(!is_curve_kept(4 * f + i)) return false;
-    }
-    if(mean_edge_length(p) > 0.25 * limit_ * sizes) return false;
-    const double quality = Adaptation_state::face_quality(p, reference);
+    for(Index h = 4 * f; h < 4 * f + 4; ++h)
+      if(!is_curve_kept(h)) return false;
+    const auto node = [this](Index v) -> const Vertex_record& { return nodes_.node(v); };
+    const double quality = changed_face_quality(s_.mesh.quad(f), node, limit_);
     return quality >= least ||
            quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
   }
@@ -178,7 +102,7 @@ private:
   {
     const Index c = s_.mesh.curve(h);
     if(c < 0 || !s_.curves[c].is_closed()) return true;
-    const Vertex_record &a = node(s_.mesh.origin(h)), &b = node(s_.mesh.target(h));
+    const Vertex_record &a = nodes_.node(s_.mesh.origin(h)), &b = nodes_.node(s_.mesh.target(h));
     if(a.carrier != Carrier::curve || b.carrier != Carrier::curve) return true;
     const Feature_curve& curve = s_.curves[c];
     return std::abs(curve.difference(a.param, b.param)) < 0.15 * curve.length();
@@ -188,8 +112,8 @@ private:
   {
     constexpr int most = 6;
     for(Index v : s_.mesh.quad(f)) {
-      const Index w = image_[v];
-      if(node_of_[w] < 0 || s_.mesh.vertex(w).carrier != Carrier::surface) continue;
+      const Index w = nodes_.image(v);
+      if(!nodes_.is_merged(w) || s_.mesh.vertex(w).carrier != Carrier::surface) continue;
       if(faces_[w] < 3 || faces_[w] > (std::max)(most, int(s_.mesh.vertex(w).faces))) return false;
     }
     return true;
@@ -211,8 +135,8 @@ private:
     std::vector<char> is_seen(m.vertex_end(), 0);
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
       if(!m.is_face(m.face(h)) || chords_.removes(m.face(h))) continue;
-      const Index v = image_[m.origin(h)];
-      if(is_seen[v] || node_of_[v] < 0) continue;
+      const Index v = nodes_.image(m.origin(h));
+      if(is_seen[v] || !nodes_.is_merged(v)) continue;
       is_seen[v] = 1;
       if(!has_one_umbrella(h, faces_[v])) faulty.push_back(m.face(h));
     }
@@ -231,8 +155,8 @@ private:
     Index g = start;
     int n = 0;
     do {
-      around.push_back(image_[s_.mesh.target(g)]);
-      const Index last = image_[s_.mesh.origin(Quad_complex::prev(g))];
+      around.push_back(nodes_.image(s_.mesh.target(g)));
+      const Index last = nodes_.image(s_.mesh.origin(Quad_complex::prev(g)));
       g = turn_left(g);
       ++n;
       if(g < 0) around.push_back(last);
@@ -264,11 +188,11 @@ private:
       m.set_curve(p.first, m.curve(p.first));
     }
     for(Index h = 0; h < 4 * m.face_end(); ++h)
-      if(m.is_face(m.face(h))) m.set_origin(h, image_[m.origin(h)]);
+      if(m.is_face(m.face(h))) m.set_origin(h, nodes_.image(m.origin(h)));
     for(Index f : gone) m.remove_face(f);
     for(Index v = 0; v < m.vertex_end(); ++v)
-      if(node_of_[v] >= 0) {
-        m.vertex(v) = nodes_[node_of_[v]];
+      if(nodes_.is_merged(v)) {
+        m.vertex(v) = nodes_.node(v);
         s_.disturb(v);
       }
     m.refresh_vertices();
@@ -287,12 +211,8 @@ private:
   Adaptation_state& s_;
   double limit_;
   Chord_set chords_;
-  std::vector<Index> image_;
-  std::vector<std::pair<Index, Index>> merged_; // the one that stays, one that goes
-  std::vector<Index> members_;                  // of what becomes one node
-  std::vector<Vertex_record> nodes_;            // as they will be
-  std::vector<Index> node_of_;                  // by vertex, -1 where none is merged
-  std::vector<int> faces_;                      // of each node afterwards
+  Merged_nodes nodes_;
+  std::vector<int> faces_; // of each node afterwards
 };
 
 // One sweep over the restless nodes, without witnesses; none is restless then.

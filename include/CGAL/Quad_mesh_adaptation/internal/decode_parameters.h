@@ -136,7 +136,7 @@ Geometry_options decode_geometry(const NamedParameters& np)
     };
   if(g.smooth && g.projector)
     throw Refused{ Refusal::invalid_parameter,
-                   "a smooth reference and a projector cannot be asked for at once" };
+                   "smooth_reference() and projector() cannot be asked for at once" };
   return g;
 }
 
@@ -146,8 +146,10 @@ double decode_max_distance(const NamedParameters& np)
 {
   const double d = parameters::choose_parameter(parameters::get_parameter(np, max_distance_tag),
                                                 std::numeric_limits<double>::infinity());
-  if(!(d > 0)) throw Refused{ Refusal::invalid_parameter, "the largest distance must be positive" };
-  return d;
+  if(d > 0) return d;
+  std::ostringstream text;
+  text << "max_distance(" << d << "): the largest distance must be positive";
+  throw Refused{ Refusal::invalid_parameter, text.str() };
 }
 
 template <typename T>

@@ -61,9 +61,10 @@ struct Integral_and_error
 // better rule is off by about r^2, which the estimate overstates tenfold.
 inline Integral_and_error inverse_square_on(const Triangle& t, const Size_function& size)
 {
+  // h^2 may be zero although h is not; differences of infinite values say nothing
   const auto density = [&size](const Vec& p) {
     const double h = size(p);
-    return 1. / (h * h);
+    return (std::min)(1. / (h * h), 1e290);
   };
   const Vec sum = t[0] + t[1] + t[2];
   const double centre = density(sum / 3.);

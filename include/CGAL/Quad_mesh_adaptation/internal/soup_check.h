@@ -151,11 +151,13 @@ inline Read_result check_soup(Polygon_soup& soup, bool quads_only)
   if(!result.ok()) return result;
 
   if(turned > 0)
-    result.notes.push_back(std::to_string(turned) +
-                           " faces were turned to orient the surface consistently");
+    result.notes.push_back(std::to_string(turned) + (turned == 1 ? " face was" : " faces were") +
+                           " turned to orient the surface consistently");
   const std::size_t dropped = drop_isolated_points(soup);
   if(dropped > 0)
-    result.notes.push_back(std::to_string(dropped) + " vertices that no face uses were left out");
+    result.notes.push_back(std::to_string(dropped) +
+                           (dropped == 1 ? " vertex that no face uses was left out"
+                                         : " vertices that no face uses were left out"));
   return result;
 }
 

@@ -4,12 +4,12 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_T_JOIN_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_T_JOIN_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/t_join_forest.h>
 #include <CGAL/Quad_mesh_adaptation/internal/t_join_graph.h>
 #include <CGAL/Quad_mesh_adaptation/internal/t_join_matching.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -49,7 +49,7 @@ public:
   T_join_solver(std::size_t n, const std::vector<T_join_edge>& edges, const std::vector<char>& odd,
                 const T_join_options& options)
       : m_edges(edges), m_options(options), m_graph(n, edges), m_component(n), m_paths(m_graph),
-        m_terminal_of(n, -1), m_cell(n, -1)
+        m_terminal_of(n, -1), m_forest(m_graph, edges, m_terminals, m_terminal_of, m_paths)
   {
     for(const T_join_edge& e : edges)
       if(T_join_graph::is_usable(e, n)) m_component.unite(e.u, e.v);
@@ -70,9 +70,9 @@ public:
     result.is_feasible = result.obstructions.empty();
     if(!result.is_feasible || m_terminals.empty()) return result;
 
-    grow_cells();
+    m_forest.grow();
     Alternating_cycles matching(m_terminals.size(), m_options.cycle_pairs, m_options.cycle_steps);
-    match_along_forest(matching);
+    m_forest.match(matching);
     const std::vector<char> first = join_of(matching);
     for(const auto& group : groups)
       if(group.size() <= m_options.exact_limit)
@@ -89,16 +89,6 @@ public:
   }
 
 private:
-  struct Bridge // a graph edge from the cell of one terminal to that of another
-  {
-    double length; // of the path between the terminals through it
-    Index edge;
-    bool operator<(const Bridge& b) const
-    {
-      return length != b.length ? length < b.length : edge < b.edge;
-    }
-  };
-
   std::vector<std::vector<Index>> terminals_by_component()
   {
     std::vector<Index> group_of(m_graph.number_of_vertices(), -1);
@@ -120,120 +110,6 @@ private:
     std::vector<Index> vertices;
     for(Index t : terminals) vertices.push_back(m_terminals[t]);
     return vertices;
-  }
-
-  // Mostly each terminal has a partner near by.  So the cells grow no further than needed for each
-  // tree over them to hold an even number of terminals, and the rest of the graph is not visited.
-  void grow_cells()
-  {
-    double radius = 0;
-    for(Index t : m_terminals) {
-      double lightest = infinity();
-      for(const auto& a : m_graph.arcs(t)) lightest = (std::min)(lightest, a.weight);
-      if(std::isfinite(lightest)) radius = (std::max)(radius, lightest);
-    }
-    for(int attempt = 0; attempt < 5; ++attempt, radius *= 2) {
-      make_cells(radius);
-      span_terminals();
-      if(are_trees_even()) return;
-    }
-    make_cells(infinity());
-    span_terminals();
-  }
-
-  bool are_trees_even() const
-  {
-    std::vector<char> odd(m_terminals.size(), 1);
-    for(auto it = m_order.rbegin(); it != m_order.rend(); ++it) {
-      const Index up = m_up[*it];
-      if(up >= 0)
-        odd[up] ^= odd[*it];
-      else if(odd[*it])
-        return false;
-    }
-    return true;
-  }
-
-  // Nearest terminal of every vertex within the radius of one, and the path to it.
-  void make_cells(double radius)
-  {
-    const std::size_t n = m_graph.number_of_vertices();
-    m_cell.assign(n, -1);
-    m_cell_edge.assign(n, -1);
-    m_cell_parent.assign(n, -1);
-    m_cell_distance.assign(n, 0);
-    m_cell_order.clear();
-    m_paths.run(m_terminals, radius, std::size_t(-1), [&](Index v) {
-      const Index p = m_paths.parent(v);
-      m_cell[v] = p < 0 ? m_terminal_of[v] : m_cell[p];
-      m_cell_edge[v] = m_paths.parent_edge(v);
-      m_cell_parent[v] = p;
-      m_cell_distance[v] = m_paths.distance(v);
-      m_cell_order.push_back(v);
-      return true;
-    });
-  }
-
-  // Shortest spanning forest of the terminals over the bridges (Kruskal), then rooted.
-  void span_terminals()
-  {
-    std::vector<Bridge> bridges;
-    for(std::size_t i = 0; i < m_edges.size(); ++i) {
-      const T_join_edge& e = m_edges[i];
-      if(!T_join_graph::is_usable(e, m_cell.size()) || m_cell[e.u] == m_cell[e.v]) continue;
-      if(m_cell[e.u] < 0 || m_cell[e.v] < 0) continue;
-      bridges.push_back({ m_cell_distance[e.u] + e.weight + m_cell_distance[e.v], Index(i) });
-    }
-    std::sort(bridges.begin(), bridges.end());
-    Disjoint_sets sets(m_terminals.size());
-    std::vector<std::vector<std::pair<Index, Bridge>>> tree(m_terminals.size());
-    for(const Bridge& b : bridges) {
-      const Index x = m_cell[m_edges[b.edge].u], y = m_cell[m_edges[b.edge].v];
-      if(!sets.unite(x, y)) continue;
-      tree[x].emplace_back(y, b);
-      tree[y].emplace_back(x, b);
-    }
-    m_up.assign(m_terminals.size(), -1);
-    m_up_bridge.assign(m_terminals.size(), Bridge{ 0, -1 });
-    m_depth.assign(m_terminals.size(), -1);
-    m_order.clear();
-    for(std::size_t root = 0; root < m_terminals.size(); ++root) {
-      if(m_depth[root] >= 0) continue;
-      m_depth[root] = 0;
-      std::size_t next = m_order.size();
-      for(m_order.push_back(Index(root)); next < m_order.size(); ++next) {
-        const Index x = m_order[next];
-        for(const auto& [y, b] : tree[x])
-          if(m_depth[y] < 0) {
-            m_depth[y] = m_depth[x] + 1;
-            m_up[y] = x;
-            m_up_bridge[y] = b;
-            m_order.push_back(y);
-          }
-      }
-    }
-  }
-
-  // Pairs terminals from the leaves up.  Every forest edge that cuts an odd number of terminals is
-  // on the path of exactly one pair, the others on none.
-  void match_along_forest(Alternating_cycles& matching) const
-  {
-    std::vector<Index> waiting(m_terminals.size());
-    std::vector<double> length(m_terminals.size(), 0); // of the way from it to here
-    for(std::size_t t = 0; t < waiting.size(); ++t) waiting[t] = Index(t);
-    for(auto it = m_order.rbegin(); it != m_order.rend(); ++it) {
-      const Index t = *it, up = m_up[t];
-      if(up < 0 || waiting[t] < 0) continue;
-      const double way = length[t] + m_up_bridge[t].length;
-      if(waiting[up] >= 0) {
-        matching.match(waiting[t], waiting[up], way + length[up], true);
-        waiting[up] = -1;
-        length[up] = 0;
-      } else {
-        waiting[up] = waiting[t];
-        length[up] = way;
-      }
-    }
   }
 
   void match_exactly(const std::vector<Index>& group, Alternating_cycles& matching)
@@ -280,29 +156,12 @@ private:
       const Index other = matching.mate[t];
       if(other < Index(t)) continue;
       if(matching.from_forest[t])
-        add_forest_path(Index(t), other, join, to_terminal);
+        m_forest.add_path(Index(t), other, join, to_terminal);
       else
         add_shortest_path(Index(t), other, join);
     }
-    for(auto it = m_cell_order.rbegin(); it != m_cell_order.rend(); ++it)
-      if(to_terminal[*it] && m_cell_parent[*it] >= 0) {
-        join[m_cell_edge[*it]] ^= 1;
-        to_terminal[m_cell_parent[*it]] ^= 1;
-      }
+    m_forest.add_ways_to_terminals(join, to_terminal);
     return join;
-  }
-
-  void add_forest_path(Index a, Index b, std::vector<char>& join,
-                       std::vector<char>& to_terminal) const
-  {
-    while(a != b) {
-      if(m_depth[a] < m_depth[b]) std::swap(a, b);
-      const Index e = m_up_bridge[a].edge;
-      join[e] ^= 1;
-      to_terminal[m_edges[e].u] ^= 1;
-      to_terminal[m_edges[e].v] ^= 1;
-      a = m_up[a];
-    }
   }
 
   void add_shortest_path(Index a, Index b, std::vector<char>& join)
@@ -329,12 +188,7 @@ private:
   Disjoint_sets m_component;
   Shortest_paths m_paths;
   std::vector<Index> m_terminals, m_terminal_of; // the odd vertices and their numbers
-  // Cells: by vertex; `m_cell_order` by growing distance.
-  std::vector<Index> m_cell, m_cell_edge, m_cell_parent, m_cell_order;
-  std::vector<double> m_cell_distance;
-  // Spanning forest: by terminal; `m_order` lists parents before children.
-  std::vector<Index> m_up, m_depth, m_order;
-  std::vector<Bridge> m_up_bridge;
+  Terminal_forest m_forest;
 };
 
 /// A set of edges in which exactly the vertices with `odd[v] != 0` have odd degree, of least weight

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FEATURE_MARKING_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FEATURE_MARKING_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Crease_lookup.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Finds the border, creases and what the caller has marked, and the corners where these end, meet
+// or turn.
+class Feature_marking
+{
+public:
+  // Features turn by more than the angle with cosine `cosine`; none does if detection is off.
+  Feature_marking(const Input_mesh& in, double cosine, bool off, Adaptation_state& s)
+      : in_(in), s_(s), cos_(cosine), off_(off)
+  {
+  }
+
+  // Curve 0 on a half-edge says "feature" until curves are traced.  A separate reference knows
+  // where creases are: the edges of a coarse mesh of it turn by more than it does.
+  void mark_edges(const Triangle_soup* reference)
+  {
+    Quad_complex& m = s_.mesh;
+    for(Index h = 0; h < 4 * m.face_end(); ++h) {
+      const Index o = m.opposite(h);
+      bool feature = o < 0 || in_.has_constrained(h);
+      if(!feature && !in_.patch.empty()) feature = in_.patch[m.face(h)] != in_.patch[m.face(o)];
+      if(feature) m.set_curve(h, 0);
+    }
+    if(off_) return;
+    std::optional<Reference_creases> creases;
+    std::optional<Crease_lookup> known;
+    if(reference) known.emplace(creases.emplace(*reference, cos_, off_));
+    std::vector<char> detected(4 * std::size_t(m.face_end()), 0);
+    for(Index h = 0; h < 4 * m.face_end(); ++h) {
+      if(m.curve(h) >= 0 || m.opposite(h) < h || !turns_across(h)) continue;
+      if(known && !known->runs_along(m.point(m.origin(h)), m.point(m.target(h)))) continue;
+      m.set_curve(h, 0);
+      detected[h] = detected[m.opposite(h)] = 1;
+    }
+    Stray_creases(s_, detected)();
+  }
+
+  void mark_corners()
+  {
+    Quad_complex& m = s_.mesh;
+    std::vector<std::vector<Index>> ends(m.vertex_end()); // feature half-edges by end
+    for(Index h = 0; h < 4 * m.face_end(); ++h) {
+      if(m.curve(h) < 0 || (m.opposite(h) >= 0 && m.opposite(h) < h)) continue;
+      ends[m.origin(h)].push_back(h);
+      ends[m.target(h)].push_back(h);
+    }
+    for(Index v = 0; v < m.vertex_end(); ++v) {
+      Vertex_record& r = m.vertex(v);
+      if(!m.is_vertex(v)) continue;
+      const auto& e = ends[v];
+      if(e.empty() && !r.frozen) continue;
+      r.carrier = e.size() == 2 && !r.frozen && !turns(v, e[0], e[1]) &&
+                          in_.has_frozen(e[0]) == in_.has_frozen(e[1]) &&
+                          is_constrained(e[0]) == is_constrained(e[1])
+                      ? Carrier::curve
+                      : Carrier::corner;
+    }
+  }
+
+private:
+  bool turns_across(Index h) const
+  {
+    const Quad_complex& m = s_.mesh;
+    const Vec a = area_vector(s_.corners(m.face(h)));
+    const Vec b = area_vector(s_.corners(m.face(m.opposite(h))));
+    return a * b < cos_ * norm(a) * norm(b);
+  }
+
+  bool is_constrained(Index h) const
+  {
+    const Index o = s_.mesh.opposite(h);
+    return in_.has_constrained(h) || (o >= 0 && in_.has_constrained(o));
+  }
+
+  bool turns(Index v, Index g, Index h) const
+  {
+    const Quad_complex& m = s_.mesh;
+    const auto other = [&](Index e) { return m.origin(e) == v ? m.target(e) : m.origin(e); };
+    const Vec a = m.point(v) - m.point(other(g)), b = m.point(other(h)) - m.point(v);
+    const double c = off_ ? -0.5 : cos_; // a fold back is a corner in any case
+    return a * b < c * norm(a) * norm(b);
+  }
+
+  const Input_mesh& in_;
+  Adaptation_state& s_;
+  double cos_;
+  bool off_;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FEATURE_MARKING_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_TOPOLOGY_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_TOPOLOGY_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Vertex_record.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Quads only, as arrays: half-edge 4 f + i runs from corner i of face f to corner i + 1.
+// No printing, no geometry: topology, carriers and the records of the vertices.  This part answers
+// questions, Quad_complex changes it.
+class Quad_topology
+{
+public:
+  static Index face(Index h) { return h >> 2; }
+  static Index next(Index h) { return (h & ~3) | ((h + 1) & 3); }
+  static Index prev(Index h) { return (h & ~3) | ((h + 3) & 3); }
+  static Index halfedge(Index f) { return f << 2; }
+  Index origin(Index h) const { return origin_[h]; }
+  Index target(Index h) const { return origin_[next(h)]; }
+  Index opposite(Index h) const { return opposite_[h]; } // -1 on the border
+  Index curve(Index h) const { return curve_[h]; }       // -1 inside a surface patch
+  bool is_border(Index h) const { return opposite_[h] < 0; }
+  // the outgoing half-edge next counter-clockwise about origin(h), -1 past the border
+  Index turn_left(Index h) const { return opposite_[prev(h)]; }
+  // and clockwise
+  Index turn_right(Index h) const { return opposite_[h] < 0 ? Index(-1) : next(opposite_[h]); }
+
+  // sizes of the arrays, deleted records included
+  Index face_end() const { return Index(origin_.size() / 4); }
+  Index vertex_end() const { return Index(vertices_.size()); }
+  bool is_face(Index f) const { return origin_[4 * f] >= 0; }
+  bool is_vertex(Index v) const { return vertices_[v].halfedge >= 0; }
+  Index number_of_faces() const { return face_count_; }
+
+  Quad quad(Index f) const
+  {
+    return { origin_[4 * f], origin_[4 * f + 1], origin_[4 * f + 2], origin_[4 * f + 3] };
+  }
+
+  const Vertex_record& vertex(Index v) const { return vertices_[v]; }
+  const Vec& point(Index v) const { return vertices_[v].p; }
+  bool is_border_vertex(Index v) const { return opposite_[vertices_[v].halfedge] < 0; }
+  // number of edges at v
+  int valence(Index v) const { return vertices_[v].faces + (is_border_vertex(v) ? 1 : 0); }
+
+  Index patch(Index f) const { return patch_[f]; }
+
+  // Outgoing half-edges of v, counter-clockwise from halfedge(v).
+  template <typename Container>
+  void outgoing(Index v, Container& out) const
+  {
+    out.clear();
+    const Index start = vertices_[v].halfedge;
+    Index h = start;
+    do {
+      out.push_back(h);
+      h = turn_left(h);
+    } while(h >= 0 && h != start);
+  }
+
+  // The half-edge from u to v, -1 if there is none that has a face on its left.
+  Index find_halfedge(Index u, Index v) const
+  {
+    const Index start = vertices_[u].halfedge;
+    Index h = start;
+    do {
+      if(target(h) == v) return h;
+      h = turn_left(h);
+    } while(h >= 0 && h != start);
+    return -1;
+  }
+
+  bool are_adjacent(Index u, Index v) const
+  {
+    return find_halfedge(u, v) >= 0 || find_halfedge(v, u) >= 0;
+  }
+
+protected:
+  std::vector<Index> origin_, opposite_, curve_, patch_;
+  std::vector<Vertex_record> vertices_;
+  Index face_count_ = 0;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_TOPOLOGY_H
