@@ -85,14 +85,14 @@ inline std::size_t count_faults(const Adaptation_state& s, double limit)
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f) && s.size_ratio(f) * s.size.scale() > limit && !is_beyond_help(s, f))
       ++faults;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && is_crowded(s, v)) ++faults;
   // in a large mesh a few of these are not worth another solution
   constexpr Index many = 20000;
   constexpr double poor = 0.45;
-  if(s.mesh.number_of_faces() <= many)
-    for(const Poor_face& p : poor_shapes(s, poor))
-      if(p.limit == Shape_limit::none) ++faults;
+  if(s.mesh.number_of_faces() > many) return faults;
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    if(s.mesh.is_vertex(v) && is_crowded(s, v)) ++faults;
+  for(const Poor_face& p : poor_shapes(s, poor))
+    if(p.limit == Shape_limit::none) ++faults;
   return faults;
 }
 

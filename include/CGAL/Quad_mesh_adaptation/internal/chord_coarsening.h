@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
+#include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 
 #include <algorithm>
@@ -134,19 +135,13 @@ private:
   std::vector<char> used_;
 };
 
-// From so many faces of the whole on, coarsening works quickly where it can, else with care.
-constexpr Index large_mesh = 5000;
-
-// As many of the part that is worked on.
-inline Index large_part(const Adaptation_state& s) { return large_mesh / Index(s.copies); }
-
 // Batches of chords with smoothing after each, which spreads the width they leave: a little in
 // large meshes, for speed, until no chord is worth while any more; more of it may show another one
 // then. Ends with a batch that removes less than `least_share` of the faces.
 inline std::size_t remove_chords(Adaptation_state& s, double min_jacobian, double least_share,
                                  int max_batches)
 {
-  const bool quick = s.mesh.number_of_faces() > large_part(s);
+  const bool quick = is_large(s);
   const double fine = s.smoothing.wake;
   Chord_coarsening chords(s, min_jacobian, quick);
   std::size_t total = 0, since_smooth = 0;

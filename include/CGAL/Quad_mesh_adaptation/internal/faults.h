@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -21,6 +22,14 @@ inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limi
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f) && s.size_ratio(f) > limit) list.push_back(f);
   return list;
+}
+
+inline double least_scaled_jacobian(const Adaptation_state& s)
+{
+  double least = 1;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) least = (std::min)(least, scaled_jacobian(s.corners(f)));
+  return least;
 }
 
 // Is a face held too large by an edge that must not change?

@@ -9,6 +9,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
 #include <CGAL/Quad_mesh_adaptation/internal/detours.h>
+#include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
@@ -259,39 +260,46 @@ inline void run_with_detours(Adaptation_state& s, const Improvement_options& cle
   if(detours && use.coarsening && s.mesh.number_of_faces() <= few_after) (*detours)();
 }
 
-// The other way, without trial, from a mesh that is given; the better outcome of both is kept.
+// Another way from a mesh that is given; the better outcome of both is kept.
 inline void run_other_way(Adaptation_state& s, const Improvement_options& clean,
-                          std::size_t max_iterations, const Schedule_ingredients& use,
-                          Refused_octave& given)
+                          std::size_t max_iterations, const Schedule_ingredients& other,
+                          const Refused_octave& given)
 {
   Mesh_keeper first(s);
   const double demerits_of_first = demerits(s);
-  Schedule_ingredients other = use;
-  other.trial_halving = false;
-  given.input->restore();
+  Mesh_keeper(*given.input).restore();
   const double factor = s.size.scale() / given.scale;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) s.mesh.vertex(v).h *= factor;
   run_progressively(s, clean, max_iterations, other);
   if(demerits(s) >= demerits_of_first) first.restore();
 }
 
-// Where faces of the input are folded over, either way to larger meshes may leave some that are:
-// from a mesh for larger sizes, although halving it folds faces, or without one.  A large input is
-// kept only where there are two ways.
-inline void run_both_ways(Adaptation_state& s, const Improvement_options& clean,
-                          std::size_t max_iterations, const Schedule_ingredients& use)
+// Where faces of the input are folded over, or nearly, any way may leave some that are: one from a
+// mesh for larger sizes, although halving it folds faces, one without such a mesh, and one whose
+// annealing has carried nodes over an edge.  So others are tried then.  A large input is kept only
+// where an octave has been refused.
+inline void run_several_ways(Adaptation_state& s, const Improvement_options& clean,
+                             std::size_t max_iterations, const Schedule_ingredients& use)
 {
   Refused_octave given;
   given.scale = s.size.scale();
-  if(s.surface.is_planar()) {
-    run_with_detours(s, clean, max_iterations, use);
-  } else if(s.mesh.number_of_faces() > without_detours) {
+  constexpr double useless = 0.02;
+  constexpr Index few_enough = 20000; // for a third run
+  const double enough = (std::min)(least_scaled_jacobian(s), useless);
+  if(s.surface.is_planar()) return run_with_detours(s, clean, max_iterations, use);
+  if(s.mesh.number_of_faces() > without_detours) {
     run_progressively(s, clean, max_iterations, use, &given);
   } else {
     given.input.emplace(s);
     run_with_detours(s, clean, max_iterations, use);
   }
-  if(given.input && worst_quality(s) <= 0) run_other_way(s, clean, max_iterations, use, given);
+  if(!given.input || (worst_quality(s) > 0 && least_scaled_jacobian(s) >= enough)) return;
+  Schedule_ingredients other = use;
+  other.trial_halving = false;
+  run_other_way(s, clean, max_iterations, other, given);
+  if(least_scaled_jacobian(s) >= enough || s.mesh.number_of_faces() > few_enough) return;
+  other.annealing = false;
+  run_other_way(s, clean, max_iterations, other, given);
 }
 
 // The default schedule.
@@ -306,7 +314,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   if(use.last_resorts)
-    run_both_ways(s, clean, max_iterations, use);
+    run_several_ways(s, clean, max_iterations, use);
   else
     run_progressively(s, clean, max_iterations, use);
   input.restore_unless_better();

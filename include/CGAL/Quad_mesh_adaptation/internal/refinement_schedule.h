@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/spatial_order.h>
 
 #include <algorithm>
@@ -119,14 +120,6 @@ inline void refine_by_templates(Adaptation_state& s, const Marking_options& mark
   }
   release_bends(s);
   s.smoothing.wake = fine;
-}
-
-inline double least_scaled_jacobian(const Adaptation_state& s)
-{
-  double least = 1;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) least = (std::min)(least, scaled_jacobian(s.corners(f)));
-  return least;
 }
 
 // The same by octaves: the passes that cut some faces only work on the sizes doubled as often as

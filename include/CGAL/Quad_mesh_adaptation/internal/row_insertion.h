@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Chord.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_scope.h>
+#include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 #include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
@@ -39,7 +40,7 @@ public:
     const double energy = total_energy(s_);
     Split_templates(s_, split)();
     s_.disturb_all();
-    smooth(s_, 20);
+    spread();
     if(total_energy(s_) < energy)
       return std::size_t(s_.mesh.number_of_faces() - before.number_of_faces());
     s_.mesh = before;
@@ -49,6 +50,15 @@ public:
   }
 
 private:
+  // Smooths; in a large mesh not to the last, since other rows and the templates follow.
+  void spread()
+  {
+    const double fine = s_.smoothing.wake;
+    if(is_large(s_)) s_.smoothing.wake = 0.02;
+    smooth(s_, 20);
+    s_.smoothing.wake = fine;
+  }
+
   static constexpr double most_uneven = 0.15; // standard deviation of the width along a chord
 
   static constexpr double nearly_twice = 1.9; // wider rows are all halved by the templates
@@ -130,9 +140,11 @@ private:
   Adaptation_state& s_;
 };
 
-// Batches until none pays; returns the number of faces added.
+// Batches until none pays, or in a large mesh until one adds few faces; returns the number of faces
+// added.
 inline std::size_t insert_rows(Adaptation_state& s)
 {
+  constexpr std::size_t few = 100; // one face in so many
   Phase_scope phase(s, "refinement");
   Row_insertion rows(s);
   // rows a little above the limit must go, too: local operations would mend them at a higher price
@@ -145,6 +157,7 @@ inline std::size_t insert_rows(Adaptation_state& s)
     const std::size_t added = rows.batch();
     total += added;
     if(added == 0) break;
+    if(is_large(s) && few * added < std::size_t(s.mesh.number_of_faces())) break;
   }
   s.energy.tolerated = tolerated;
   s.forget_energies();

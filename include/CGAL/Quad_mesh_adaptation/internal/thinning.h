@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Quick_close.h>
 #include <CGAL/Quad_mesh_adaptation/internal/chord_coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/chord_thinning.h>
+#include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 #include <CGAL/Quad_mesh_adaptation/internal/spatial_order.h>
 
@@ -87,7 +88,7 @@ private:
 // the end, so that in a large mesh quick work is good enough.
 inline bool is_far_too_fine(const Adaptation_state& s)
 {
-  return s.mesh.number_of_faces() > large_part(s) && mean_square_ratio(s) < 0.25;
+  return is_large(s) && mean_square_ratio(s) < 0.25;
 }
 
 // Are there so many edges on curves that these should be thinned along with the faces?
