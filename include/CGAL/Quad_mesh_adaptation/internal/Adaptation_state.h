@@ -263,7 +263,7 @@ struct Adaptation_state
     size.scale_by(factor * size.scale());
     for(Index v = 0; v < mesh.vertex_end(); ++v) mesh.vertex(v).h *= factor;
     limit_distance(factor * factor * max_distance); // as faces of these sizes come to lie
-    forget_sizes();
+    if(factor != 1) forget_sizes();
     disturb_all();
     stir_all();
   }

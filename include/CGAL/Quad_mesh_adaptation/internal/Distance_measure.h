@@ -78,6 +78,7 @@ private:
     const double at[9][2] = { { .5, .5 }, { .25, .25 }, { .75, .25 }, { .75, .75 }, { .25, .75 },
                               { .5, 0. }, { 1., .5 },   { .5, 1. },   { 0., .5 } };
     const Corners p = s_.corners(f);
+    if(is_near_own_triangles(f, p)) return;
     Index hint = s_.triangle_near(f, p[0]);
     for(int k = 0; k < 9; ++k) {
       const Index h = 4 * f + k - 5, o = k < 5 ? Index(-1) : m.opposite(h);
@@ -86,6 +87,25 @@ private:
       const Vec q = (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * (u * p[2] + (1 - u) * p[3]);
       measure_to_surface(q, f, o < 0 ? f : m.face(o), hint);
     }
+  }
+
+  // Are two triangles of the surface the halves of face f, as they are of an input that is its own
+  // reference, and are all points of the face so near to these that they do not matter?
+  bool is_near_own_triangles(Index f, const Corners& p)
+  {
+    const auto& all = s_.surface.triangles();
+    if(s_.surface.has_lift() || 2 * std::size_t(f) + 1 >= all.size()) return false;
+    const double bound = 0.25 * norm(p[0] - p[1] + p[2] - p[3]);
+    if(bound > (is_careful_ ? care_ : to_reference_.threshold())) return false;
+    const std::array<Index, 3>&a = all[2 * f], &b = all[2 * f + 1];
+    const std::vector<Vec>& at = s_.surface.points();
+    if(a[0] != b[0] || a[2] != b[1]) return false;
+    const int i = at[a[0]] == p[0] ? 0 : 1;
+    if(at[a[0]] != p[i] || at[a[1]] != p[i + 1] || at[a[2]] != p[i + 2] ||
+       at[b[2]] != p[(i + 3) & 3])
+      return false;
+    if(is_careful_) note(f, bound, to_reference_);
+    return true;
   }
 
   // Of a point of faces f and g.  Walking over the surface may stop at a border or behind a fold,

@@ -38,12 +38,12 @@ inline void refuse_too_many(double faces)
 }
 
 // Tells the caller where the sizes grow faster than quads can follow.
-inline void advise_on_sizes(const Input_mesh& in, const Size_sampler& sizes,
+inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s,
                             Adaptation_report& report)
 {
-  if(sizes.is_constant()) return;
-  report.size_growth = measure_size_growth(in.points, in.quads,
-                                           [&sizes](const Vec& p) { return sizes.unscaled(p); });
+  if(s.size.is_constant()) return;
+  report.size_growth = measure_size_growth(
+      in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); }, &s.mesh);
   const std::string text = advice_on(report.size_growth);
   if(!text.empty()) report.advice.push_back(text);
 }
@@ -152,7 +152,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     build_state(in, features, geometry, s);
     count_features(s, report);
     report.before = measured_state(s, reference);
-    advise_on_sizes(in, s.size, report);
+    advise_on_sizes(in, s, report);
     bound.start();
     const double ideal = bound.is_asked_for() ? measured_state(s, reference).ideal_number_of_faces
                                               : report.before.ideal_number_of_faces;
