@@ -26,12 +26,15 @@ inline std::vector<Triangle> corner_points(const Triangle_soup& soup)
   return list;
 }
 
+// What is kept of faces of the input is used, and kept if it is not yet.
 inline Mesh_measures measure_state(const Adaptation_state& s,
-                                   const std::optional<Triangle_soup>& reference)
+                                   const std::optional<Triangle_soup>& reference,
+                                   Kept_sizes* kept = nullptr)
 {
   std::vector<Vec> points(s.mesh.vertex_end(), Vec(0, 0, 0));
   std::vector<Quad> quads;
   quads.reserve(s.mesh.number_of_faces());
+  if(kept) kept->look_at(s.mesh);
   double far = 0;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
     if(!s.mesh.is_vertex(v)) continue;
@@ -52,7 +55,7 @@ inline Mesh_measures measure_state(const Adaptation_state& s,
   std::optional<std::vector<Triangle>> triangles;
   if(reference) triangles = corner_points(*reference);
   Mesh_measures m = measure(points, quads, size, triangles ? &*triangles : nullptr,
-                            strict.empty() ? nullptr : &strict);
+                            strict.empty() ? nullptr : &strict, kept);
   triangles.reset(); // distances need the memory
   points = std::vector<Vec>();
   quads = std::vector<Quad>();
