@@ -196,17 +196,19 @@ private:
   template <typename Corners_of>
   Box leaf_box(std::size_t first, std::size_t last, const Corners_of& corners) const
   {
-    const float none = std::numeric_limits<float>::infinity();
-    Box box = { { none, none, none }, { -none, -none, -none } };
+    constexpr double none = std::numeric_limits<double>::infinity();
+    Vec low(none, none, none), high = -low;
     for(std::size_t i = first; i < last; ++i)
       for(const Vec& p : corners(order_[i])) {
-        const Vec q = inverse_ * (p - origin_);
-        for(int j = 0; j < 3; ++j) {
-          box.low[j] = (std::min)(box.low[j], below(q[j]));
-          box.high[j] = (std::max)(box.high[j], above(q[j]));
-        }
+        low =
+            Vec((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z()));
+        high = Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
+                   (std::max)(high.z(), p.z()));
       }
-    return box;
+    // rounding keeps the order, so once is enough
+    const Vec l = inverse_ * (low - origin_), h = inverse_ * (high - origin_);
+    return { { below(l.x()), below(l.y()), below(l.z()) },
+             { above(h.x()), above(h.y()), above(h.z()) } };
   }
 
   std::vector<Index> order_; // of the triangles, as the boxes hold them

@@ -153,25 +153,6 @@ private:
     }
   }
 
-  // Calls f(offset from s) for the points of the polyline between s and s + l.
-  template <typename F>
-  static void for_each_arc(const Feature_curve& c, double s, double l, const F& f)
-  {
-    const std::vector<double>& arcs = c.arcs();
-    const double low = c.wrapped(l < 0 ? s + l : s), span = std::abs(l);
-    std::size_t i = std::size_t(std::upper_bound(arcs.begin(), arcs.end(), low) - arcs.begin());
-    for(std::size_t seen = 0; seen < arcs.size(); ++seen, ++i) {
-      if(i == arcs.size()) {
-        if(!c.is_closed()) return;
-        i = 0;
-      }
-      double up = arcs[i] - low;
-      if(up < 0) up += c.length();
-      if(up >= span) return;
-      f(l < 0 ? up + l : up);
-    }
-  }
-
   void measure_reference()
   {
     Mesh_triangles triangles(s_.mesh);
@@ -200,9 +181,10 @@ private:
       seen[t] = 1;
       queue.push_back(t);
     };
+    for(Index t = 0; t < n; ++t) seen[t] = is_same_triangle(t);
     for(bool is_known : { true, false })
       for(Index first = 0; first < n; ++first) {
-        if(is_known && start_[first] < 0) continue;
+        if(seen[first] || (is_known && start_[first] < 0)) continue;
         queue.clear();
         reach(first);
         for(std::size_t i = 0; i < queue.size(); ++i) {
@@ -229,25 +211,23 @@ private:
     for(std::size_t k = 0; k < face_of_.size(); ++k) place_of_[face_of_[k]] = Index(k);
   }
 
-  // The triangle of the mesh that is the same as triangle t, if that is one of an input that is its
-  // own reference and the face has been left as it was; else -1.
-  Index same_triangle(Index t) const
+  // Is triangle t one of an input that is its own reference, of a face that has been left as it
+  // was? No point of it is off the mesh then, and its corners lie on the same triangle of the mesh.
+  bool is_same_triangle(Index t)
   {
     const Index f = t / 2;
-    if(s_.surface.has_lift() || f >= Index(place_of_.size()) || place_of_[f] < 0) return -1;
+    if(s_.surface.has_lift() || f >= Index(place_of_.size()) || place_of_[f] < 0) return false;
     const Index same = 2 * place_of_[f] + t % 2;
-    return mesh_.triangle(same) == s_.surface.triangle(t) ? same : Index(-1);
+    if(mesh_.triangle(same) != s_.surface.triangle(t)) return false;
+    for(Index v : s_.surface.triangles()[t])
+      if(foot_[v] < 0) foot_[v] = same;
+    return true;
   }
 
   void measure_triangle(Index t)
   {
     const std::array<Index, 3> corners = s_.surface.triangles()[t];
     const std::array<Vec, 3> c = s_.surface.triangle(t);
-    if(const Index same = same_triangle(t); same >= 0) {
-      for(Index v : corners)
-        if(foot_[v] < 0) foot_[v] = same;
-      return; // no point is off it
-    }
     Index hint = start_[t];
     for(Index v : corners)
       if(foot_[v] >= 0) hint = foot_[v];

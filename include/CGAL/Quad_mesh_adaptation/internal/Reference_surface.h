@@ -45,10 +45,10 @@ public:
                     const Edge_keys& sharp = {})
       : points_(std::move(points)), triangles_(std::move(triangles))
   {
-    find_normals();
+    detect_plane();
+    if(!planar_) find_normals();
     link(sharp);
     number_patches();
-    detect_plane();
   }
 
   // Of triangles whose neighbours across sides (i, i + 1) are known.
@@ -57,14 +57,15 @@ public:
       : points_(std::move(points)), triangles_(std::move(triangles)),
         neighbours_(std::move(neighbours))
   {
-    find_normals();
-    number_patches();
     detect_plane();
+    if(!planar_) find_normals();
+    number_patches();
   }
 
   void set_lift(Surface_lift lift)
   {
     lift_ = std::move(lift);
+    if(planar_ && lift_) find_normals();
     planar_ = planar_ && !lift_;
   }
   bool has_lift() const { return bool(lift_); }
@@ -183,7 +184,7 @@ public:
                                       p[i] - (std::max)({ c[0][i], c[1][i], c[2][i] }), 0. });
         off += x * x;
       }
-      if(off >= least || normals_[t] * direction < 0) continue;
+      if(off >= least || normal(t) * direction < 0) continue;
       const double d = (p - closest_on_triangle(p, c).point).squared_length();
       if(!(d < least)) continue;
       least = d;
@@ -225,7 +226,7 @@ private:
       if(next < 0) return here.point;
       t = next;
     }
-    t = find(p, patches_[start], normals_[start]);
+    t = find(p, patches_[start], normal(start));
     return closest_on_triangle(p, triangle(t)).point;
   }
 
@@ -257,7 +258,7 @@ private:
                 double& d) const
   {
     // round a thin edge to the other side; a right angle, as of a box, is still allowed
-    if(normals_[n] * normals_[start] < -0.2) return false;
+    if(normal(n) * normal(start) < -0.2) return false;
     const auto there = closest_on_triangle(p, triangle(n));
     const double dn = (p - there.point).squared_length();
     if(!(dn < enough)) return false;
@@ -349,15 +350,17 @@ private:
     for(std::size_t t = 0; t < triangles_.size(); ++t) {
       const auto c = triangle(Index(t));
       n = n + cross(c[1] - c[0], c[2] - c[0]);
-      size = (std::max)(size, distance(c[0], points_[triangles_[0][0]]));
+      size = (std::max)(size, (c[0] - points_[triangles_[0][0]]).squared_length());
     }
+    size = std::sqrt(size);
     plane_normal_ = normalized(n);
     plane_point_ = points_[triangles_[0][0]];
     planar_ = n * n > 0;
     for(std::size_t t = 0; planar_ && t < triangles_.size(); ++t) {
-      for(const Vec& q : triangle(Index(t)))
+      const auto c = triangle(Index(t));
+      for(const Vec& q : c)
         planar_ = planar_ && std::abs((q - plane_point_) * plane_normal_) <= 1e-12 * size;
-      planar_ = planar_ && normals_[t] * plane_normal_ > 0;
+      planar_ = planar_ && cross(c[1] - c[0], c[2] - c[0]) * plane_normal_ > 0;
     }
   }
 
@@ -384,7 +387,7 @@ private:
 
   std::vector<Vec> points_;
   std::vector<std::array<Index, 3>> triangles_, neighbours_; // neighbour i: across edge i, i+1
-  std::vector<Vec> normals_;
+  std::vector<Vec> normals_;                                 // none where all is planar
   std::vector<Index> patches_;
   Surface_lift lift_;
   bool planar_ = false;
