@@ -216,12 +216,20 @@ struct Adaptation_state
     factors.forget_all();
     factor_age.clear();
   }
-  // In the end, when all that was to be known of it is.
+  // In the end, when nothing will be changed any more.
+  void forget_work()
+  {
+    energies = factors = Face_values<float>();
+    factor_age = std::vector<std::uint8_t>();
+    region = restless = stirred = std::vector<char>();
+  }
+  // When all that was to be known of it is.
   void forget_surface()
   {
     surface = Reference_surface();
     coverage = Coverage();
-    forget_faces();
+    forget_work();
+    ratios = Face_values<double>();
   }
   // Face `order[i]` has number i now.
   void renumber_faces(const std::vector<Index>& order)

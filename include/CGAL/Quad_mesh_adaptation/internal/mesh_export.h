@@ -129,16 +129,20 @@ private:
     return it != list.end() && it->first == key ? it->second : null();
   }
 
-  // Arrays that grow as they like may take twice what is needed.
+  // Arrays that grow as they like may take twice what is needed.  Only the places of old faces are
+  // free when new ones are made.
   void make_room()
   {
-    std::size_t vertices = 0, faces = 0;
+    std::size_t vertices = 0, sides = 0;
+    std::ptrdiff_t faces = -std::count(changed_.begin(), changed_.begin() + in_.quads.size(), 1);
     for(Index v = Index(in_.points.size()); v < m_.vertex_end(); ++v) vertices += m_.is_vertex(v);
-    for(Index f = 0; f < m_.face_end(); ++f) faces += m_.is_face(f) && changed_[f];
-    const std::size_t removed = std::size_t(std::count(changed_.begin(), changed_.end(), 1));
-    if(faces > removed)
-      reserve_in(mesh_, num_vertices(mesh_) + vertices, num_edges(mesh_) + 2 * faces,
-                 num_faces(mesh_) + faces, 0);
+    for(Index f = 0; f < m_.face_end(); ++f) {
+      if(!m_.is_face(f) || !changed_[f]) continue;
+      ++faces;
+      for(Index h = 4 * f; h < 4 * f + 4; ++h) sides += m_.is_border(h) ? 2 : 1;
+    }
+    reserve_in(mesh_, num_vertices(mesh_) + vertices, num_edges(mesh_) + sides / 2,
+               num_faces(mesh_) + std::size_t((std::max)(faces, std::ptrdiff_t(0))), 0);
   }
 
   // For models that have it.

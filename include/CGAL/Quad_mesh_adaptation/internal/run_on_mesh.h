@@ -177,6 +177,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     keep_within_distance(s);
     bound.lift();
     keep_sizes_within_distance(s);
+    s.forget_work(); // its memory is needed to measure
     report.after = measured_state(s, reference, kept ? &*kept : nullptr);
     kept.reset();
     s.report_progress(1);
