@@ -292,6 +292,9 @@ public:
     face_count_ = Index(order.size());
   }
 
+  // Where only the links are needed any more.
+  void forget_vertices() { vertices_ = std::vector<Vertex_record>(); }
+
   // A copy to be kept, in which only the vertices that exist have records; unpack() it before use.
   // Those of the caller that are gone may be as many as those that are there.
   Quad_complex packed() const
