@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Old_halfedges.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/internal/reserve_in.h>
 
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -63,12 +63,6 @@ public:
   }
 
 private:
-  struct Old_edge
-  {
-    Index target;
-    halfedge_descriptor halfedge;
-  };
-
   struct Node // what is needed of a vertex of the state
   {
     Index halfedge;
@@ -110,19 +104,13 @@ private:
   // at an end, the neighbours along it.
   void remember_old_edges()
   {
-    first_edge_.assign(in_.points.size() + 1, 0);
-    for(std::size_t f = 0; f < in_.quads.size(); ++f)
-      if(changed_[f])
-        for(Index u : in_.quads[f]) ++first_edge_[u + 1];
-    std::partial_sum(first_edge_.begin(), first_edge_.end(), first_edge_.begin());
-    old_edges_.resize(first_edge_.back());
-    std::vector<Index> place(first_edge_.begin(), first_edge_.end() - 1);
+    old_edges_.make_room(in_, changed_);
     for(std::size_t f = 0; f < in_.quads.size(); ++f) {
       if(!changed_[f]) continue;
       halfedge_descriptor h = old_.first_halfedge[f];
       for(int i = 0; i < 4; ++i, h = next(h, mesh_)) {
         const Index u = in_.quads[f][i], v = in_.quads[f][(i + 1) & 3];
-        old_edges_[place[u]++] = { v, h };
+        old_edges_.add(u, v, h);
         const halfedge_descriptor o = opposite(h, mesh_);
         if(!is_border(o, mesh_)) continue;
         border_after_.push_back({ u, next(o, mesh_) });
@@ -134,13 +122,7 @@ private:
     std::stable_sort(border_before_.begin(), border_before_.end(), less);
   }
 
-  halfedge_descriptor old_halfedge(Index u, Index v) const
-  {
-    if(u >= Index(in_.points.size())) return null();
-    for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i)
-      if(old_edges_[i].target == v) return old_edges_[i].halfedge;
-    return null();
-  }
+  halfedge_descriptor old_halfedge(Index u, Index v) const { return old_edges_.find(u, v, null()); }
 
   template <typename List, typename Key>
   static halfedge_descriptor lookup(const List& list, const Key& key)
@@ -224,11 +206,10 @@ private:
       }
     // old edges are kept where the new mesh uses them, or a face that did not change
     keep_.assign(old_edges_.size(), 0);
-    for(Index u = 0; u < Index(in_.points.size()); ++u)
-      for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i) {
-        const Index v = old_edges_[i].target;
-        keep_[i] = is_vertex(u) && is_vertex(v) && (leads_to(u, v) || leads_to(v, u));
-      }
+    old_edges_.for_each([&](Index i, Index u, const auto& e) {
+      const Index v = e.target;
+      keep_[i] = is_vertex(u) && is_vertex(v) && (leads_to(u, v) || leads_to(v, u));
+    });
     for(face_descriptor f : old_faces_) remove_face(f, mesh_);
   }
 
@@ -288,12 +269,10 @@ private:
 
   void remove_old_edges_and_vertices()
   {
-    for(Index u = 0; u < Index(in_.points.size()); ++u)
-      for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i) {
-        const Old_edge& e = old_edges_[i];
-        const bool twice = u > e.target && old_halfedge(e.target, u) != null();
-        if(!keep_[i] && !twice) remove_edge(edge(e.halfedge, mesh_), mesh_);
-      }
+    old_edges_.for_each([&](Index i, Index u, const auto& e) {
+      const bool twice = u > e.target && old_halfedge(e.target, u) != null();
+      if(!keep_[i] && !twice) remove_edge(edge(e.halfedge, mesh_), mesh_);
+    });
     for(Index v = 0; v < Index(in_.points.size()); ++v)
       if(!is_vertex(v)) remove_vertex(old_.vertices[v], mesh_);
   }
@@ -310,8 +289,7 @@ private:
   std::vector<halfedge_descriptor> halfedge_of_;
   std::vector<vertex_descriptor> vertex_of_;
   std::vector<face_descriptor> old_faces_;
-  std::vector<Index> first_edge_; // by vertex, among the next
-  std::vector<Old_edge> old_edges_;
+  Old_halfedges<halfedge_descriptor> old_edges_;
   std::vector<std::pair<Index, halfedge_descriptor>> border_after_, border_before_;
 };
 
