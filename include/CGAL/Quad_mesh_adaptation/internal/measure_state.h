@@ -26,6 +26,15 @@ inline std::vector<Triangle> corner_points(const Triangle_soup& soup)
   return list;
 }
 
+// As nodes of an input that is its own reference are, so that they lie on it to the last bit.
+inline bool is_corner_of_surface(const Adaptation_state& s, const Vertex_record& r)
+{
+  if(r.carrier != Carrier::surface || r.hint < 0 || s.surface.is_planar() || s.surface.has_lift())
+    return false;
+  const Triangle t = s.surface.triangle(r.hint);
+  return std::find(t.begin(), t.end(), r.p) != t.end();
+}
+
 // What is kept of faces of the input is used, and kept if it is not yet.
 inline Mesh_measures measure_state(const Adaptation_state& s,
                                    const std::optional<Triangle_soup>& reference,
@@ -40,6 +49,7 @@ inline Mesh_measures measure_state(const Adaptation_state& s,
     if(!s.mesh.is_vertex(v)) continue;
     Vertex_record r = s.mesh.vertex(v);
     points[v] = r.p;
+    if(is_corner_of_surface(s, r)) continue;
     s.put_on_carrier(r);
     far = (std::max)(far, distance(points[v], r.p));
   }
