@@ -114,6 +114,7 @@ private:
   {
     const double enough = is_careful_ ? care_ : to_reference_.threshold();
     double d = s_.surface.distance_from(q, enough, hint);
+    if(d <= enough && !is_careful_) return; // it may be less, but does not matter
     if(d > enough) {
       const Index k = s_.mesh.patch(f);
       const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
