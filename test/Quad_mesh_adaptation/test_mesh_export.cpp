@@ -54,8 +54,9 @@ void import_change_export(const Shape& shape, double feature_angle, const std::s
   features.feature_angle = feature_angle;
   core::State_builder(in, features, s)();
   change(s);
+  Adaptation_state used_up = s;
   core::Mesh_export<M, decltype(vpm), core::No_constraints<Edge>> write(mesh, vpm, ecm, in,
-                                                                        descriptors, s);
+                                                                        descriptors, used_up);
   write();
 
   ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 
 using namespace symmetry_fixture;
@@ -81,4 +82,26 @@ TEST(Mirror_planes, ConstraintsAndSizesCount)
   EXPECT_EQ(planes_of(shape, o), 1u);
   o.size = [](const Vec& p) { return 1 + 0.1 * p.x() + 0.01 * p.y(); };
   EXPECT_EQ(planes_of(shape, o), 0u);
+}
+
+TEST(Mirror_planes, SizesOfAClosedSurfaceCount)
+{
+  const Shape shape = centred(shape_zoo::cube(6));
+  const auto planes_for = [&](const std::function<double(const Vec&)>& size) {
+    state_fixture::Options o;
+    o.size = size;
+    return planes_of(shape, o);
+  };
+  EXPECT_EQ(planes_for([](const Vec& p) { return 1 + 0.01 * (p * p); }), 3u);
+  EXPECT_EQ(planes_for([](const Vec& p) { return 1 + 0.1 * p.x(); }), 2u);
+  EXPECT_EQ(planes_for([](const Vec& p) { return 2 + 0.1 * p.x() + 0.05 * p.y() * p.x(); }), 1u);
+  EXPECT_EQ(planes_for([](const Vec& p) { return 2 + 0.1 * p.x() + 0.02 * p.y(); }), 1u);
+  // a small change, in no plane and in one
+  const auto changed_at = [](const Vec& where) {
+    return [where](const Vec& p) {
+      return (1 + 0.1 * p.x()) * ((p - where) * (p - where) < 0.7 ? 0.5 : 1.);
+    };
+  };
+  EXPECT_EQ(planes_for(changed_at(Vec(1, 2, 3))), 0u);
+  EXPECT_EQ(planes_for(changed_at(Vec(3, 0, 2))), 1u);
 }

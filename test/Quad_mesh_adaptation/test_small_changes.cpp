@@ -66,6 +66,20 @@ double kept_far_away(const Mesh& before, const Mesh& after, const Point& where)
   return double(kept) / double(far);
 }
 
+// What is kept of faces left as they were gives what measuring all of the mesh gives.
+void expect_measures(const QMA::Mesh_measures& wanted, const QMA::Mesh_measures& found)
+{
+  EXPECT_EQ(wanted.faces, found.faces);
+  EXPECT_NEAR(wanted.ideal_number_of_faces, found.ideal_number_of_faces,
+              1e-9 * wanted.ideal_number_of_faces);
+  EXPECT_EQ(wanted.size_ratio.counts, found.size_ratio.counts);
+  EXPECT_NEAR(wanted.size_ratio.mean, found.size_ratio.mean, 1e-12);
+  EXPECT_NEAR(wanted.size_ratio.max, found.size_ratio.max, 1e-12);
+  EXPECT_NEAR(wanted.strict_size_ratio.mean, found.strict_size_ratio.mean, 1e-12);
+  EXPECT_NEAR(wanted.max_warp, found.max_warp, 1e-12);
+  EXPECT_EQ(wanted.interior_valence, found.interior_valence);
+}
+
 } // namespace
 
 TEST(SmallChange, StaysLocal)
@@ -83,6 +97,7 @@ TEST(SmallChange, StaysLocal)
       EXPECT_GE(r.after.efficiency, 0.85);
       EXPECT_LE(r.after.max_valence, 5u);
       EXPECT_GT(kept_far_away(before, mesh, where), 0.9);
+      expect_measures(QMA::measure_quad_mesh(mesh, size), r.after);
       wanted += QMA::measure_quad_mesh(mesh, size).ideal_number_of_faces -
                 QMA::measure_quad_mesh(before, graded).ideal_number_of_faces;
       made += r.after.efficiency * (double(mesh.number_of_faces()) - before.number_of_faces());

@@ -353,6 +353,24 @@ TEST(Distance, BothWays)
   EXPECT_LT(d.to_reference(), 0.4);
 }
 
+// Walks that end early and faces that are passed over do not change the largest distance.
+TEST(Distance, LargestIsThatOfAllPointsOneByOne)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> shift(-0.02, 0.02);
+  Shape warped = more_shapes::sphere(12);
+  for(Vec& p : warped.points) p = p + Vec(shift(random), shift(random), shift(random));
+  core::Adaptation_state s = state_fixture::make_state(warped);
+  for(int i = 0; i < 2; ++i) {
+    const double found = core::Distance_measure(s).to_reference();
+    EXPECT_GT(found, 0);
+    EXPECT_NEAR(found, core::Distance_measure(s, 0).to_reference(), 1e-12);
+    core::Vertex_record& r = s.mesh.vertex(17); // the faces about it are others now
+    r.p = r.p + Vec(0.03, 0.02, -0.01);
+    s.place(r);
+  }
+}
+
 TEST(Distance, BoundIsMetOrTheFacesAreNamed)
 {
   const Mesh reference = zoo_mesh::make<Mesh, Point>(more_shapes::sphere(60));

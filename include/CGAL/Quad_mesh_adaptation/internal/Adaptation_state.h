@@ -161,12 +161,20 @@ struct Adaptation_state : Run_record, Face_caches
     forget_values();
     coverage.lose();
   }
-  // In the end, when all that was to be known of it is.
+  // In the end, when nothing will be changed any more.
+  void forget_work()
+  {
+    energies = factors = Face_values<float>();
+    factor_age = std::vector<std::uint8_t>();
+    region = restless = stirred = std::vector<char>();
+  }
+  // When all that was to be known of it is.
   void forget_surface()
   {
     surface = Reference_surface();
     coverage = Coverage();
-    forget_faces();
+    forget_work();
+    ratios = Face_values<double>();
   }
   // Face `order[i]` has number i now.
   void renumber_faces(const std::vector<Index>& order)
@@ -203,7 +211,7 @@ struct Adaptation_state : Run_record, Face_caches
     size.scale_by(factor * size.scale());
     for(Index v = 0; v < mesh.vertex_end(); ++v) mesh.vertex(v).h *= factor;
     limit_distance(factor * factor * max_distance); // as faces of these sizes come to lie
-    forget_sizes();
+    if(factor != 1) forget_sizes();
     disturb_all();
     stir_all();
   }

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -39,8 +38,7 @@ public:
   template <typename Corners_of>
   Box_tree(Index triangles, const Corners_of& corners) : order_(std::size_t(triangles))
   {
-    std::iota(order_.begin(), order_.end(), 0);
-    std::vector<Vec> centres;
+    std::vector<Centre> centres;
     centres.reserve(order_.size());
     Vec low = corners(0)[0], high = low;
     for(Index t = 0; t < triangles; ++t) {
@@ -51,7 +49,8 @@ public:
         high = Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
                    (std::max)(high.z(), p.z()));
       }
-      centres.push_back((c[0] + c[1] + c[2]) / 3);
+      const Vec centre = (c[0] + c[1] + c[2]) / 3;
+      centres.push_back({ { centre.x(), centre.y(), centre.z() }, t });
     }
     origin_ = low;
     const Vec size = high - low;
@@ -118,6 +117,12 @@ private:
     }
   };
 
+  struct Centre // of a triangle
+  {
+    std::array<double, 3> p;
+    Index triangle;
+  };
+
   struct Part
   {
     std::size_t box, first, last;
@@ -149,30 +154,22 @@ private:
 
   // Box k holds the triangles from first to last, its halves are boxes 2 k + 1 and 2 k + 2.
   template <typename Corners_of>
-  void build(std::size_t k, std::size_t first, std::size_t last, const std::vector<Vec>& centres,
+  void build(std::size_t k, std::size_t first, std::size_t last, std::vector<Centre>& centres,
              const Corners_of& corners)
   {
     if(k >= first_leaf_) {
+      for(std::size_t i = first; i < last; ++i) order_[i] = centres[i].triangle;
       boxes_[k] = leaf_box(first, last, corners);
       return;
     }
-    Vec low = centres[order_[first]], high = low;
-    for(std::size_t i = first; i < last; ++i) {
-      const Vec& c = centres[order_[i]];
-      low = Vec((std::min)(low.x(), c.x()), (std::min)(low.y(), c.y()), (std::min)(low.z(), c.z()));
-      high = Vec((std::max)(high.x(), c.x()), (std::max)(high.y(), c.y()),
-                 (std::max)(high.z(), c.z()));
-    }
-    const Vec size = high - low;
-    const int axis = size.x() >= size.y() && size.x() >= size.z() ? 0
-                     : size.y() >= size.z()                       ? 1
-                                                                  : 2;
+    const auto begin = centres.begin() + std::ptrdiff_t(first),
+               end = centres.begin() + std::ptrdiff_t(last);
     const std::size_t middle = first + (last - first) / 2;
-    const auto begin = order_.begin();
-    std::nth_element(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(middle),
-                     begin + std::ptrdiff_t(last), [&](Index s, Index t) {
-                       return std::make_pair(centres[s][axis], s) <
-                              std::make_pair(centres[t][axis], t);
+    const int axis = longest_axis(begin, end);
+    std::nth_element(begin, centres.begin() + std::ptrdiff_t(middle), end,
+                     [axis](const Centre& s, const Centre& t) {
+                       return s.p[axis] < t.p[axis] ||
+                              (s.p[axis] == t.p[axis] && s.triangle < t.triangle);
                      });
     build(2 * k + 1, first, middle, centres, corners);
     build(2 * k + 2, middle, last, centres, corners);
@@ -183,20 +180,35 @@ private:
     }
   }
 
+  template <typename Iterator>
+  static int longest_axis(Iterator begin, Iterator end)
+  {
+    std::array<double, 3> low = begin->p, high = low;
+    for(Iterator c = begin; c != end; ++c)
+      for(int i = 0; i < 3; ++i) {
+        low[i] = (std::min)(low[i], c->p[i]);
+        high[i] = (std::max)(high[i], c->p[i]);
+      }
+    const std::array<double, 3> size = { high[0] - low[0], high[1] - low[1], high[2] - low[2] };
+    return size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
+  }
+
   template <typename Corners_of>
   Box leaf_box(std::size_t first, std::size_t last, const Corners_of& corners) const
   {
-    const float none = std::numeric_limits<float>::infinity();
-    Box box = { { none, none, none }, { -none, -none, -none } };
+    constexpr double none = std::numeric_limits<double>::infinity();
+    Vec low(none, none, none), high = -low;
     for(std::size_t i = first; i < last; ++i)
       for(const Vec& p : corners(order_[i])) {
-        const Vec q = inverse_ * (p - origin_);
-        for(int j = 0; j < 3; ++j) {
-          box.low[j] = (std::min)(box.low[j], below(q[j]));
-          box.high[j] = (std::max)(box.high[j], above(q[j]));
-        }
+        low =
+            Vec((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z()));
+        high = Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
+                   (std::max)(high.z(), p.z()));
       }
-    return box;
+    // rounding keeps the order, so once is enough
+    const Vec l = inverse_ * (low - origin_), h = inverse_ * (high - origin_);
+    return { { below(l.x()), below(l.y()), below(l.z()) },
+             { above(h.x()), above(h.y()), above(h.z()) } };
   }
 
   std::vector<Index> order_; // of the triangles, as the boxes hold them

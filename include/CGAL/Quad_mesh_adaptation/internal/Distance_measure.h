@@ -78,6 +78,7 @@ private:
     const double at[9][2] = { { .5, .5 }, { .25, .25 }, { .75, .25 }, { .75, .75 }, { .25, .75 },
                               { .5, 0. }, { 1., .5 },   { .5, 1. },   { 0., .5 } };
     const Corners p = s_.corners(f);
+    if(is_near_own_triangles(f, p)) return;
     Index hint = s_.triangle_near(f, p[0]);
     for(int k = 0; k < 9; ++k) {
       const Index h = 4 * f + k - 5, o = k < 5 ? Index(-1) : m.opposite(h);
@@ -88,12 +89,32 @@ private:
     }
   }
 
+  // Are two triangles of the surface the halves of face f, as they are of an input that is its own
+  // reference, and are all points of the face so near to these that they do not matter?
+  bool is_near_own_triangles(Index f, const Corners& p)
+  {
+    const auto& all = s_.surface.triangles();
+    if(s_.surface.has_lift() || 2 * std::size_t(f) + 1 >= all.size()) return false;
+    const double bound = 0.25 * norm(p[0] - p[1] + p[2] - p[3]);
+    if(bound > (is_careful_ ? care_ : to_reference_.threshold())) return false;
+    const std::array<Index, 3>&a = all[2 * f], &b = all[2 * f + 1];
+    const std::vector<Vec>& at = s_.surface.points();
+    if(a[0] != b[0] || a[2] != b[1]) return false;
+    const int i = at[a[0]] == p[0] ? 0 : 1;
+    if(at[a[0]] != p[i] || at[a[1]] != p[i + 1] || at[a[2]] != p[i + 2] ||
+       at[b[2]] != p[(i + 3) & 3])
+      return false;
+    if(is_careful_) note(f, bound, to_reference_);
+    return true;
+  }
+
   // Of a point of faces f and g.  Walking over the surface may stop at a border or behind a fold,
   // too far away.
   void measure_to_surface(const Vec& q, Index f, Index g, Index& hint)
   {
     const double enough = is_careful_ ? care_ : to_reference_.threshold();
     double d = s_.surface.distance_from(q, enough, hint);
+    if(d <= enough && !is_careful_) return; // it may be less, but does not matter
     if(d > enough) {
       const Index k = s_.mesh.patch(f);
       const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
@@ -133,25 +154,6 @@ private:
     }
   }
 
-  // Calls f(offset from s) for the points of the polyline between s and s + l.
-  template <typename F>
-  static void for_each_arc(const Feature_curve& c, double s, double l, const F& f)
-  {
-    const std::vector<double>& arcs = c.arcs();
-    const double low = c.wrapped(l < 0 ? s + l : s), span = std::abs(l);
-    std::size_t i = std::size_t(std::upper_bound(arcs.begin(), arcs.end(), low) - arcs.begin());
-    for(std::size_t seen = 0; seen < arcs.size(); ++seen, ++i) {
-      if(i == arcs.size()) {
-        if(!c.is_closed()) return;
-        i = 0;
-      }
-      double up = arcs[i] - low;
-      if(up < 0) up += c.length();
-      if(up >= span) return;
-      f(l < 0 ? up + l : up);
-    }
-  }
-
   void measure_reference()
   {
     Mesh_triangles triangles(s_.mesh);
@@ -180,9 +182,10 @@ private:
       seen[t] = 1;
       queue.push_back(t);
     };
+    for(Index t = 0; t < n; ++t) seen[t] = is_same_triangle(t);
     for(bool is_known : { true, false })
       for(Index first = 0; first < n; ++first) {
-        if(is_known && start_[first] < 0) continue;
+        if(seen[first] || (is_known && start_[first] < 0)) continue;
         queue.clear();
         reach(first);
         for(std::size_t i = 0; i < queue.size(); ++i) {
@@ -209,25 +212,23 @@ private:
     for(std::size_t k = 0; k < face_of_.size(); ++k) place_of_[face_of_[k]] = Index(k);
   }
 
-  // The triangle of the mesh that is the same as triangle t, if that is one of an input that is its
-  // own reference and the face has been left as it was; else -1.
-  Index same_triangle(Index t) const
+  // Is triangle t one of an input that is its own reference, of a face that has been left as it
+  // was? No point of it is off the mesh then, and its corners lie on the same triangle of the mesh.
+  bool is_same_triangle(Index t)
   {
     const Index f = t / 2;
-    if(s_.surface.has_lift() || f >= Index(place_of_.size()) || place_of_[f] < 0) return -1;
+    if(s_.surface.has_lift() || f >= Index(place_of_.size()) || place_of_[f] < 0) return false;
     const Index same = 2 * place_of_[f] + t % 2;
-    return mesh_.triangle(same) == s_.surface.triangle(t) ? same : Index(-1);
+    if(mesh_.triangle(same) != s_.surface.triangle(t)) return false;
+    for(Index v : s_.surface.triangles()[t])
+      if(foot_[v] < 0) foot_[v] = same;
+    return true;
   }
 
   void measure_triangle(Index t)
   {
     const std::array<Index, 3> corners = s_.surface.triangles()[t];
     const std::array<Vec, 3> c = s_.surface.triangle(t);
-    if(const Index same = same_triangle(t); same >= 0) {
-      for(Index v : corners)
-        if(foot_[v] < 0) foot_[v] = same;
-      return; // no point is off it
-    }
     Index hint = start_[t];
     for(Index v : corners)
       if(foot_[v] >= 0) hint = foot_[v];

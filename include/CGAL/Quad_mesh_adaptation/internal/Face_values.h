@@ -53,7 +53,9 @@ public:
   }
   void fit(Index face_end)
   {
-    if(face_end > Index(values_.size())) values_.resize(face_end, unknown);
+    const std::size_t n = std::size_t(face_end);
+    if(n > values_.capacity()) values_.reserve(n + n / 8); // twice as much would be much
+    if(n > values_.size()) values_.resize(n, unknown);
   }
   void forget(Index f)
   {

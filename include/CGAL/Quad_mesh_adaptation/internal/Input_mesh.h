@@ -52,7 +52,9 @@ inline void append_quad(Triangle_soup& soup, const Quad& q)
   const auto fold = [&](int i) {
     const Vec &a = soup.points[q[i]], &b = soup.points[q[(i + 1) & 3]],
               &c = soup.points[q[(i + 2) & 3]], &d = soup.points[q[(i + 3) & 3]];
-    return normalized(cross(b - a, c - a)) * normalized(cross(c - a, d - a));
+    const Vec n = cross(b - a, c - a), m = cross(c - a, d - a);
+    const double lengths = norm(n) * norm(m);
+    return lengths > 0 ? n * m / lengths : 0.;
   };
   const double f0 = fold(0), f1 = fold(1);
   const double d0 = (soup.points[q[0]] - soup.points[q[2]]).squared_length();

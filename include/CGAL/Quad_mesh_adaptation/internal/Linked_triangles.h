@@ -33,7 +33,6 @@ public:
                    const Edge_keys& sharp)
       : points_(std::move(points)), triangles_(std::move(triangles))
   {
-    find_normals();
     link(sharp);
     number_patches();
   }
@@ -44,7 +43,6 @@ public:
       : points_(std::move(points)), triangles_(std::move(triangles)),
         neighbours_(std::move(neighbours))
   {
-    find_normals();
     number_patches();
   }
 
@@ -61,7 +59,17 @@ public:
   // Across edge (i, i + 1) of triangle t; -1 at the border and at a sharp edge.
   Index neighbour(Index t, int i) const { return neighbours_[t][i]; }
   Index patch(Index t) const { return patches_[t]; }
-  const Vec& normal(Index t) const { return normals_[t]; }
+  const Vec& normal(Index t) const { return normals_[t]; } // once they are found
+
+  // Before normals are asked for, and walks: a plane can do without.
+  void find_normals()
+  {
+    normals_.reserve(triangles_.size());
+    for(std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto c = triangle(Index(t));
+      normals_.push_back(normalized(cross(c[1] - c[0], c[2] - c[0])));
+    }
+  }
 
   // To the nearest point from triangle t, or to the first whose squared distance is near enough.
   // Updates t: the triangle of that point, -1 if the walk is lost.
@@ -131,15 +139,6 @@ private:
       return std::tie(high, triangle, side) < std::tie(o.high, o.triangle, o.side);
     }
   };
-
-  void find_normals()
-  {
-    normals_.reserve(triangles_.size());
-    for(std::size_t t = 0; t < triangles_.size(); ++t) {
-      const auto c = triangle(Index(t));
-      normals_.push_back(normalized(cross(c[1] - c[0], c[2] - c[0])));
-    }
-  }
 
   void link(const Edge_keys& sharp)
   {

@@ -30,20 +30,21 @@ public:
 
   // `reach`: largest distance of a vertex from the centre.
   Mirror_test(const Input_mesh& in, const Adaptation_state& s, const Vec& centre, double reach)
-      : in_(in), s_(s), centre_(centre), tolerance_(2 * accuracy * reach),
-        lookup_(in.points, tolerance_)
+      : in_(in), s_(s), centre_(centre), tolerance_(2 * accuracy * reach)
   {
   }
 
   // Could the plane through the centre be one?  Looks at a few vertices only, and at the sizes at
   // some hundreds, so that a change of the sizes in a small place costs no more than that.
-  bool is_plausible(const Vec& normal) const
+  bool is_plausible(const Vec& normal)
   {
+    if(!lookup_) lookup_.emplace(in_.points, tolerance_); // often there is no question
     const Mirror_plane p = plane_through_centre(normal);
     return maps_some(p, 7, false) && maps_some(p, s_.size.is_constant() ? 50 : 500, true);
   }
 
   // The plane through the centre with all that is mapped by it, if it is a mirror plane.
+  // Precondition: it is plausible.
   std::optional<Mirror_plane> operator()(const Vec& normal)
   {
     Mirror_plane p = plane_through_centre(normal);
@@ -60,7 +61,7 @@ private:
   {
     const std::size_t n = in_.points.size(), step = (std::max)(n / parts, std::size_t(1));
     for(std::size_t v = 0; v < n; v += step) {
-      const Index image = lookup_.find(p.reflect(in_.points[v]));
+      const Index image = lookup_->find(p.reflect(in_.points[v]));
       if(image < 0) return false;
       if(with_size && differ(s_.size.at(in_.points[v]), s_.size.at(in_.points[image])))
         return false;
@@ -70,7 +71,7 @@ private:
 
   static bool differ(double a, double b) { return !(std::abs(a - b) <= accuracy * a); }
 
-  Index class_of(Index v) const { return lookup_.class_of(v); }
+  Index class_of(Index v) const { return lookup_->class_of(v); }
 
   // The quad turned to start at its lowest number, and by how many corners it was turned.
   static std::pair<Quad, int> from_lowest(const Quad& q)
@@ -91,7 +92,7 @@ private:
   {
     image_.resize(in_.points.size());
     for(std::size_t v = 0; v < image_.size(); ++v) {
-      image_[v] = lookup_.find(p.reflect(in_.points[v]));
+      image_[v] = lookup_->find(p.reflect(in_.points[v]));
       if(image_[v] < 0) return false;
     }
     return true;
@@ -270,7 +271,7 @@ private:
   const Adaptation_state& s_;
   Vec centre_;
   double tolerance_;
-  Point_lookup lookup_;
+  std::optional<Point_lookup> lookup_;
   std::vector<std::pair<Quad, Index>> faces_; // classes of the corners from the lowest on, face
   std::vector<Index> image_;                  // class that a vertex is reflected to
   std::vector<int> corner_shift_;

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_COMPLEX_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_topology.h>
+#include <CGAL/Quad_mesh_adaptation/internal/permute.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -172,32 +173,31 @@ public:
   // memory then.
   void renumber(const std::vector<Index>& order)
   {
-    std::vector<Index> place(face_end(), -1), vertex(vertices_.size(), -1);
+    const std::size_t spare = order.size() / 16; // for a few more later
+    std::vector<Index> vertex(vertices_.size(), -1);
+    Index vertices = (std::min)(first_reusable_, vertex_end());
+    for(Index v = 0; v < vertices; ++v) vertex[v] = v;
+    for(Index f : order)
+      for(Index v : quad(f))
+        if(vertex[v] < 0) vertex[v] = vertices++;
+    std::vector<Index> place(face_end(), -1);
     for(std::size_t i = 0; i < order.size(); ++i) place[order[i]] = Index(i);
     const auto moved = [&](Index h) { return h < 0 ? h : 4 * place[h >> 2] + (h & 3); };
-    const Index kept = (std::min)(first_reusable_, vertex_end());
-    Quad_complex r;
-    r.first_reusable_ = first_reusable_;
-    const std::size_t spare = order.size() / 16; // for a few more later
-    r.reserve(vertices_.size() + spare, order.size() + spare);
-    r.vertices_.assign(vertices_.begin(), vertices_.begin() + kept);
-    for(Index v = 0; v < kept; ++v) vertex[v] = v;
-    for(Index f : order) {
-      const Index g = r.add_face(quad(f), patch_[f]);
-      for(int i = 0; i < 4; ++i) {
-        Index& v = vertex[origin_[4 * f + i]];
-        if(v < 0) {
-          v = Index(r.vertices_.size());
-          r.vertices_.push_back(vertices_[origin_[4 * f + i]]);
-        }
-        r.origin_[4 * g + i] = v;
-        r.opposite_[4 * g + i] = moved(opposite_[4 * f + i]);
-        r.curve_[4 * g + i] = curve_[4 * f + i];
-      }
-    }
-    for(Vertex_record& v : r.vertices_) v.halfedge = moved(v.halfedge);
-    *this = std::move(r);
+    const auto same = [](Index i) { return i; };
+    for(Vertex_record& v : vertices_) v.halfedge = moved(v.halfedge);
+    take_in_order(origin_, order, 4, spare, [&](Index v) { return vertex[v]; });
+    take_in_order(opposite_, order, 4, spare, moved);
+    take_in_order(curve_, order, 4, spare, same);
+    take_in_order(patch_, order, 1, spare, same);
+    place = std::vector<Index>();
+    move_to_places(vertices_, vertex, std::size_t(vertices));
+    free_faces_.clear();
+    free_vertices_.clear();
+    face_count_ = Index(order.size());
   }
+
+  // Where only the links are needed any more.
+  void forget_vertices() { vertices_ = std::vector<Vertex_record>(); }
 
   // A copy to be kept, in which only the vertices that exist have records; unpack() it before use.
   // Those of the caller that are gone may be as many as those that are there.

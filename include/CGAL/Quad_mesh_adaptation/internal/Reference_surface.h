@@ -41,6 +41,7 @@ public:
       : mesh_(std::move(points), std::move(triangles), sharp)
   {
     detect_plane();
+    if(!planar_) mesh_.find_normals();
   }
 
   // Of triangles whose neighbours across sides (i, i + 1) are known.
@@ -49,11 +50,13 @@ public:
       : mesh_(std::move(points), std::move(triangles), std::move(neighbours))
   {
     detect_plane();
+    if(!planar_) mesh_.find_normals();
   }
 
   void set_lift(Surface_lift lift)
   {
     lift_ = std::move(lift);
+    if(planar_ && lift_) mesh_.find_normals();
     planar_ = planar_ && !lift_;
   }
   bool has_lift() const { return bool(lift_); }
@@ -147,7 +150,7 @@ public:
   {
     if(planar_) return -1;
     const auto accept = [&](Index t) {
-      return (patch < 0 || mesh_.patch(t) == patch) && !(mesh_.normal(t) * direction < 0);
+      return (patch < 0 || mesh_.patch(t) == patch) && !(normal(t) * direction < 0);
     };
     return tree().nearest(p, Corners_of{ *this }, accept, within).triangle;
   }
@@ -166,7 +169,7 @@ public:
                                       p[i] - (std::max)({ c[0][i], c[1][i], c[2][i] }), 0. });
         off += x * x;
       }
-      if(off >= least || mesh_.normal(t) * direction < 0) continue;
+      if(off >= least || normal(t) * direction < 0) continue;
       const double d = (p - closest_on_triangle(p, c).point).squared_length();
       if(!(d < least)) continue;
       least = d;
@@ -201,7 +204,7 @@ private:
     const Index start = t;
     const Vec there = mesh_.walk(p, t, near_enough);
     if(t >= 0) return there;
-    t = find(p, patch(start), mesh_.normal(start));
+    t = find(p, patch(start), normal(start));
     return closest_on_triangle(p, triangle(t)).point;
   }
 
@@ -213,15 +216,17 @@ private:
     for(std::size_t t = 0; t < number_of_triangles(); ++t) {
       const auto c = triangle(Index(t));
       n = n + cross(c[1] - c[0], c[2] - c[0]);
-      size = (std::max)(size, distance(c[0], first));
+      size = (std::max)(size, (c[0] - first).squared_length());
     }
+    size = std::sqrt(size);
     plane_normal_ = normalized(n);
     plane_point_ = first;
     planar_ = n * n > 0;
     for(std::size_t t = 0; planar_ && t < number_of_triangles(); ++t) {
-      for(const Vec& q : triangle(Index(t)))
+      const auto c = triangle(Index(t));
+      for(const Vec& q : c)
         planar_ = planar_ && std::abs((q - plane_point_) * plane_normal_) <= 1e-12 * size;
-      planar_ = planar_ && mesh_.normal(Index(t)) * plane_normal_ > 0;
+      planar_ = planar_ && cross(c[1] - c[0], c[2] - c[0]) * plane_normal_ > 0;
     }
   }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <random>
 #include <utility>
 #include <vector>
@@ -40,8 +41,7 @@ public:
        int order, std::size_t run = 1)
       : run_(run)
   {
-    for(Index v = 0; v < m.vertex_end(); ++v)
-      if(marks[v] && m.is_vertex(v)) nodes_.push_back(v);
+    list_nodes(m, marks);
     put_in_order(nodes_, order);
     std::size_t places = nodes_.size() < few ? 1 : nodes_.size() / stretch;
     places = (std::min)((std::max)(places, std::size_t(1)), most);
@@ -61,6 +61,17 @@ public:
   }
 
 private:
+  // Often few are marked in a large mesh: eight that are not are passed over at once.
+  void list_nodes(const Quad_complex& m, const std::vector<char>& marks)
+  {
+    for(Index v = 0, end = m.vertex_end(); v < end;) {
+      std::uint64_t eight = 1;
+      if(!marks[v] && v + 8 <= end) std::memcpy(&eight, marks.data() + v, 8);
+      if(marks[v] && m.is_vertex(v)) nodes_.push_back(v);
+      v += eight == 0 ? 8 : 1;
+    }
+  }
+
   static constexpr std::size_t few = 2000; // threads would not pay
 
   std::vector<Index> nodes_, batch_;

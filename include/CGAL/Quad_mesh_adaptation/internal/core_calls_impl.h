@@ -25,10 +25,10 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void build_state(const Input_mesh& in,
   State_builder(in, features, s)(geometry);
 }
 
-CGAL_QUAD_MESH_ADAPTATION_CORE_CALL Mesh_measures
-measured_state(const Adaptation_state& s, const std::optional<Triangle_soup>& reference)
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL Mesh_measures measured_state(
+    const Adaptation_state& s, const std::optional<Triangle_soup>& reference, Kept_sizes* kept)
 {
-  return measure_state(s, reference);
+  return measure_state(s, reference, kept);
 }
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL std::vector<Poor_face> poor_faces(const Adaptation_state& s,

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -83,6 +86,25 @@ inline void ends_on_curve(const Adaptation_state& s, Index h, double& su, double
   };
   su = arc(u, v);
   sv = arc(v, u);
+}
+
+// Calls f(offset from s) for the points of the polyline between s and s + l.
+template <typename F>
+void for_each_arc(const Feature_curve& c, double s, double l, const F& f)
+{
+  const std::vector<double>& arcs = c.arcs();
+  const double low = c.wrapped(l < 0 ? s + l : s), span = std::abs(l);
+  std::size_t i = std::size_t(std::upper_bound(arcs.begin(), arcs.end(), low) - arcs.begin());
+  for(std::size_t seen = 0; seen < arcs.size(); ++seen, ++i) {
+    if(i == arcs.size()) {
+      if(!c.is_closed()) return;
+      i = 0;
+    }
+    double up = arcs[i] - low;
+    if(up < 0) up += c.length();
+    if(up >= span) return;
+    f(l < 0 ? up + l : up);
+  }
 }
 
 } // namespace internal

@@ -30,27 +30,6 @@ inline std::array<Triangle, 2> halves(const Vec& a, const Vec& b, const Vec& c, 
   return { { { a, b, d }, { b, c, d } } };
 }
 
-// Triangles that are made when they are asked for, by number.
-class Quad_halves
-{
-public:
-  Quad_halves(const std::vector<Vec>& points, const std::vector<Quad>& quads)
-      : points_(points), quads_(quads)
-  {
-  }
-
-  std::size_t size() const { return 2 * quads_.size(); }
-  Triangle operator[](std::size_t i) const
-  {
-    const Quad& q = quads_[i / 2];
-    return halves(points_[q[0]], points_[q[1]], points_[q[2]], points_[q[3]])[i % 2];
-  }
-
-private:
-  const std::vector<Vec>& points_;
-  const std::vector<Quad>& quads_;
-};
-
 struct Integral_and_error
 {
   double value, error;
@@ -77,6 +56,31 @@ inline Integral_and_error inverse_square_on(const Triangle& t, const Size_functi
   return { value, coarse_error * (std::min)(1., 10. * share) };
 }
 
+// Triangles that are made when they are asked for, by number.
+class Quad_halves
+{
+public:
+  Quad_halves(const std::vector<Vec>& points, const std::vector<Quad>& quads)
+      : points_(points), quads_(quads)
+  {
+  }
+
+  std::size_t size() const { return 2 * quads_.size(); }
+  Triangle operator[](std::size_t i) const
+  {
+    const Quad& q = quads_[i / 2];
+    return halves(points_[q[0]], points_[q[1]], points_[q[2]], points_[q[3]])[i % 2];
+  }
+  Integral_and_error integral(std::size_t i, const Size_function& size) const
+  {
+    return inverse_square_on((*this)[i], size);
+  }
+
+private:
+  const std::vector<Vec>& points_;
+  const std::vector<Quad>& quads_;
+};
+
 inline void append_quarters(const Triangle& t, std::vector<Triangle>& parts)
 {
   const Vec ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
@@ -84,6 +88,18 @@ inline void append_quarters(const Triangle& t, std::vector<Triangle>& parts)
   parts.push_back({ ab, t[1], bc });
   parts.push_back({ ca, bc, t[2] });
   parts.push_back({ ab, bc, ca });
+}
+
+inline Integral_and_error integral_over(const std::vector<Triangle>& triangles, std::size_t i,
+                                        const Size_function& size)
+{
+  return inverse_square_on(triangles[i], size);
+}
+
+template <typename Halves>
+Integral_and_error integral_over(const Halves& halves, std::size_t i, const Size_function& size)
+{
+  return halves.integral(i, size);
 }
 
 // The integral over triangles, refined from round to round.
@@ -99,7 +115,7 @@ public:
     std::vector<Integral_and_error> found(triangles.size());
     double open = 0, open_error = 0;
     for(std::size_t i = 0; i < found.size(); ++i) {
-      found[i] = inverse_square_on(triangles[i], size_);
+      found[i] = integral_over(triangles, i, size_);
       open += found[i].value;
       open_error += found[i].error;
     }

@@ -30,8 +30,8 @@ public:
       edge[i] = p[(i + 1) % 4] - p[i];
       length[i] = norm(edge[i]);
     }
-    const Vec normal = normalized(cross(edge[0] - edge[2], edge[1] - edge[3]));
-    max_warp_ = (std::max)(max_warp_, warp(p));
+    const Vec across = cross(edge[0] - edge[2], edge[1] - edge[3]), normal = normalized(across);
+    add_warp(p, across, length[0] + length[1] + length[2] + length[3]);
     double least = std::numeric_limits<double>::infinity();
     for(int i = 0; i < 4; ++i) {
       const int j = (i + 3) % 4;
@@ -49,6 +49,15 @@ public:
   double max_warp() const { return max_warp_; }
 
 private:
+  // The direction of a face's normal tells of most that they are not the most warped.
+  void add_warp(const std::array<Vec, 4>& p, const Vec& across, double edges)
+  {
+    constexpr double margin = 1 - 1e-9;
+    const double height = (p[0] - p[1] + p[2] - p[3]) * across, bound = max_warp_ * edges / 4;
+    if(height * height <= margin * bound * bound * (across * across)) return;
+    max_warp_ = (std::max)(max_warp_, warp(p));
+  }
+
   // Its cosine tells of most corners that their angle is neither the smallest nor the largest.
   void add_angle(const Vec& turn, double product, double signed_area, double lengths)
   {

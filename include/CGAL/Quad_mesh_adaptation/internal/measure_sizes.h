@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_SIZES_H
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Kept_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <algorithm>
@@ -86,14 +87,21 @@ private:
 
 inline void measure_sizes(const std::vector<Vec>& points, const std::vector<Quad>& quads,
                           const Size_function& size, const std::vector<double>* strict_ratios,
-                          Mesh_measures& m)
+                          Kept_sizes* kept, Mesh_measures& m)
 {
   Size_ratio_counter at_centre, strict;
   for(std::size_t i = 0; i < quads.size(); ++i) {
     const Quad& f = quads[i];
     const std::array<Vec, 4> p = { points[f[0]], points[f[1]], points[f[2]], points[f[3]] };
-    const double mean_length = face_size(p), h = size(face_centre(p));
-    at_centre.add(mean_length / h);
+    Face_sizes* known = kept && strict_ratios ? kept->of(i) : nullptr;
+    if(known && known->ratio_at_centre >= 0) {
+      at_centre.add(known->ratio_at_centre);
+      strict.add((*strict_ratios)[i]);
+      continue;
+    }
+    const double mean_length = face_size(p), h = size(face_centre(p)), ratio = mean_length / h;
+    if(known) known->ratio_at_centre = ratio;
+    at_centre.add(ratio);
     strict.add(strict_ratios ? (*strict_ratios)[i] : mean_length / strict_size(p, size, h));
   }
   m.size_ratio = at_centre.result();

@@ -26,17 +26,30 @@ inline std::vector<Triangle> corner_points(const Triangle_soup& soup)
   return list;
 }
 
+// As nodes of an input that is its own reference are, so that they lie on it to the last bit.
+inline bool is_corner_of_surface(const Adaptation_state& s, const Vertex_record& r)
+{
+  if(r.carrier != Carrier::surface || r.hint < 0 || s.surface.is_planar() || s.surface.has_lift())
+    return false;
+  const Triangle t = s.surface.triangle(r.hint);
+  return std::find(t.begin(), t.end(), r.p) != t.end();
+}
+
+// What is kept of faces of the input is used, and kept if it is not yet.
 inline Mesh_measures measure_state(const Adaptation_state& s,
-                                   const std::optional<Triangle_soup>& reference)
+                                   const std::optional<Triangle_soup>& reference,
+                                   Kept_sizes* kept = nullptr)
 {
   std::vector<Vec> points(s.mesh.vertex_end(), Vec(0, 0, 0));
   std::vector<Quad> quads;
   quads.reserve(s.mesh.number_of_faces());
+  if(kept) kept->look_at(s.mesh);
   double far = 0;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
     if(!s.mesh.is_vertex(v)) continue;
     Vertex_record r = s.mesh.vertex(v);
     points[v] = r.p;
+    if(is_corner_of_surface(s, r)) continue;
     s.put_on_carrier(r);
     far = (std::max)(far, distance(points[v], r.p));
   }
@@ -52,7 +65,7 @@ inline Mesh_measures measure_state(const Adaptation_state& s,
   std::optional<std::vector<Triangle>> triangles;
   if(reference) triangles = corner_points(*reference);
   Mesh_measures m = measure(points, quads, size, triangles ? &*triangles : nullptr,
-                            strict.empty() ? nullptr : &strict);
+                            strict.empty() ? nullptr : &strict, kept);
   triangles.reset(); // distances need the memory
   points = std::vector<Vec>();
   quads = std::vector<Quad>();

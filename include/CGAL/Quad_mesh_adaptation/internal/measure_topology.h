@@ -109,15 +109,19 @@ inline void measure_topology(std::size_t number_of_points, const std::vector<Qua
       on_boundary[e.low] = on_boundary[e.high] = 1;
     }
   }
+  std::vector<std::size_t> inside; // by valence
   for(std::size_t v = 0; v < number_of_points; ++v) {
     if(valence[v] == 0) continue;
     ++m.vertices;
     m.max_valence = (std::max)(m.max_valence, std::size_t(valence[v]));
     if(on_boundary[v]) continue;
     ++m.interior_vertices;
-    ++m.interior_valence[std::size_t(valence[v])];
+    if(std::size_t(valence[v]) >= inside.size()) inside.resize(std::size_t(valence[v]) + 1, 0);
+    ++inside[valence[v]];
     if(valence[v] != 4) ++m.irregular_interior_vertices;
   }
+  for(std::size_t k = 0; k < inside.size(); ++k)
+    if(inside[k] > 0) m.interior_valence[k] = inside[k];
   m.edges = edges.size();
   m.faces = quads.size();
   m.euler_characteristic = long(m.vertices) - long(m.edges) + long(m.faces);

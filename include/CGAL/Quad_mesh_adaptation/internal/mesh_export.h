@@ -6,14 +6,15 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Old_halfedges.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
+#include <CGAL/Quad_mesh_adaptation/internal/reserve_in.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,8 @@ namespace internal {
 
 // Writes the state back into the caller's graph with the low-level functions of MutableFaceGraph.
 // A face whose four vertices did not change keeps its descriptor, and so do its edges and every
-// edge and vertex that still exists; other faces, edges and vertices are removed or new.
+// edge and vertex that still exists; other faces, edges and vertices are removed or new.  Uses the
+// vertices of the state up.
 template <typename QuadMesh, typename VertexPointMap, typename EdgeConstrainedMap>
 class Mesh_export
 {
@@ -35,7 +37,7 @@ class Mesh_export
 
 public:
   Mesh_export(QuadMesh& mesh, VertexPointMap vpm, EdgeConstrainedMap ecm, const Input_mesh& in,
-              const Mesh_descriptors<QuadMesh>& old, const Adaptation_state& s)
+              const Mesh_descriptors<QuadMesh>& old, Adaptation_state& s)
       : mesh_(mesh), vpm_(vpm), ecm_(ecm), in_(in), old_(old), s_(s), m_(s.mesh)
   {
   }
@@ -44,8 +46,8 @@ public:
   {
     find_changed_faces();
     remember_old_edges();
-    make_room();
     make_vertices();
+    make_room();
     make_edges();
     remove_old_faces();
     make_faces();
@@ -57,15 +59,28 @@ public:
   face_descriptor face_of(Index f) const { return face(halfedge_of_[4 * f], mesh_); }
   vertex_descriptor vertex_of(Index v) const
   {
-    return source(halfedge_of_[s_.mesh.vertex(v).halfedge], mesh_);
+    return source(halfedge_of_[nodes_[v].halfedge], mesh_);
   }
 
 private:
-  struct Old_edge
+  struct Node // what is needed of a vertex of the state
   {
-    Index target;
-    halfedge_descriptor halfedge;
+    Index halfedge;
+    bool is_frozen;
   };
+
+  bool is_vertex(Index v) const { return nodes_[v].halfedge >= 0; }
+
+  // Does a half-edge run from u to v?
+  bool leads_to(Index u, Index v) const
+  {
+    Index h = nodes_[u].halfedge;
+    do {
+      if(m_.target(h) == v) return true;
+      h = m_.turn_left(h);
+    } while(h >= 0 && h != nodes_[u].halfedge);
+    return false;
+  }
 
   static halfedge_descriptor null() { return Traits::null_halfedge(); }
 
@@ -89,19 +104,13 @@ private:
   // at an end, the neighbours along it.
   void remember_old_edges()
   {
-    first_edge_.assign(in_.points.size() + 1, 0);
-    for(std::size_t f = 0; f < in_.quads.size(); ++f)
-      if(changed_[f])
-        for(Index u : in_.quads[f]) ++first_edge_[u + 1];
-    std::partial_sum(first_edge_.begin(), first_edge_.end(), first_edge_.begin());
-    old_edges_.resize(first_edge_.back());
-    std::vector<Index> place(first_edge_.begin(), first_edge_.end() - 1);
+    old_edges_.make_room(in_, changed_);
     for(std::size_t f = 0; f < in_.quads.size(); ++f) {
       if(!changed_[f]) continue;
       halfedge_descriptor h = old_.first_halfedge[f];
       for(int i = 0; i < 4; ++i, h = next(h, mesh_)) {
         const Index u = in_.quads[f][i], v = in_.quads[f][(i + 1) & 3];
-        old_edges_[place[u]++] = { v, h };
+        old_edges_.add(u, v, h);
         const halfedge_descriptor o = opposite(h, mesh_);
         if(!is_border(o, mesh_)) continue;
         border_after_.push_back({ u, next(o, mesh_) });
@@ -113,13 +122,7 @@ private:
     std::stable_sort(border_before_.begin(), border_before_.end(), less);
   }
 
-  halfedge_descriptor old_halfedge(Index u, Index v) const
-  {
-    if(u >= Index(in_.points.size())) return null();
-    for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i)
-      if(old_edges_[i].target == v) return old_edges_[i].halfedge;
-    return null();
-  }
+  halfedge_descriptor old_halfedge(Index u, Index v) const { return old_edges_.find(u, v, null()); }
 
   template <typename List, typename Key>
   static halfedge_descriptor lookup(const List& list, const Key& key)
@@ -129,41 +132,38 @@ private:
     return it != list.end() && it->first == key ? it->second : null();
   }
 
-  // Arrays that grow as they like may take twice what is needed.
-  void make_room()
-  {
-    std::size_t vertices = 0, faces = 0;
-    for(Index v = Index(in_.points.size()); v < m_.vertex_end(); ++v) vertices += m_.is_vertex(v);
-    for(Index f = 0; f < m_.face_end(); ++f) faces += m_.is_face(f) && changed_[f];
-    const std::size_t removed = std::size_t(std::count(changed_.begin(), changed_.end(), 1));
-    if(faces > removed)
-      reserve_in(mesh_, num_vertices(mesh_) + vertices, num_edges(mesh_) + 2 * faces,
-                 num_faces(mesh_) + faces, 0);
-  }
-
-  // For models that have it.
-  template <typename Graph>
-  static auto reserve_in(Graph& g, std::size_t vertices, std::size_t edges, std::size_t faces, int)
-      -> decltype(reserve(g, vertices, edges, faces), void())
-  {
-    reserve(g, vertices, edges, faces);
-  }
-  template <typename Graph>
-  static void reserve_in(Graph&, std::size_t, std::size_t, std::size_t, long)
-  {
-  }
-
+  // Gives the vertices of the state back, which are most of its memory.
   void make_vertices()
   {
-    vertex_of_.assign(m_.vertex_end(), Traits::null_vertex());
-    for(Index v = 0; v < m_.vertex_end(); ++v) {
+    const Index n = m_.vertex_end();
+    std::size_t added = 0;
+    for(Index v = Index(in_.points.size()); v < n; ++v) added += m_.is_vertex(v);
+    reserve_in(mesh_, added, 0, 0, 0);
+    vertex_of_.assign(n, Traits::null_vertex());
+    nodes_.resize(n);
+    for(Index v = 0; v < n; ++v) {
       const bool old = v < Index(in_.points.size());
       if(old) vertex_of_[v] = old_.vertices[v];
+      nodes_[v] = { m_.vertex(v).halfedge, m_.vertex(v).frozen };
       if(!m_.is_vertex(v)) continue;
       if(!old) vertex_of_[v] = add_vertex(mesh_);
       const Vec& p = m_.point(v);
       if(!old || p != in_.points[v]) put(vpm_, vertex_of_[v], Point(p.x(), p.y(), p.z()));
     }
+    s_.mesh.forget_vertices();
+  }
+
+  // Only the places of old faces are free when new ones are made.
+  void make_room()
+  {
+    std::size_t sides = 0;
+    std::ptrdiff_t faces = -std::count(changed_.begin(), changed_.begin() + in_.quads.size(), 1);
+    for(Index f = 0; f < m_.face_end(); ++f) {
+      if(!m_.is_face(f) || !changed_[f]) continue;
+      ++faces;
+      for(Index h = 4 * f; h < 4 * f + 4; ++h) sides += m_.is_border(h) ? 2 : 1;
+    }
+    reserve_in(mesh_, 0, sides / 2, std::size_t((std::max)(faces, std::ptrdiff_t(0))), 0);
   }
 
   void make_edges()
@@ -206,11 +206,10 @@ private:
       }
     // old edges are kept where the new mesh uses them, or a face that did not change
     keep_.assign(old_edges_.size(), 0);
-    for(Index u = 0; u < Index(in_.points.size()); ++u)
-      for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i) {
-        const Index v = old_edges_[i].target;
-        keep_[i] = m_.is_vertex(u) && m_.is_vertex(v) && m_.are_adjacent(u, v);
-      }
+    old_edges_.for_each([&](Index i, Index u, const auto& e) {
+      const Index v = e.target;
+      keep_[i] = is_vertex(u) && is_vertex(v) && (leads_to(u, v) || leads_to(v, u));
+    });
     for(face_descriptor f : old_faces_) remove_face(f, mesh_);
   }
 
@@ -226,7 +225,7 @@ private:
         set_next(h, halfedge_of_[4 * f + ((i + 1) & 3)], mesh_);
         // a frozen vertex may lie on the border of the mesh outside the region
         const Index v = m_.target(4 * f + i);
-        if(!m_.vertex(v).frozen || !is_border(halfedge(vertex_of_[v], mesh_), mesh_))
+        if(!nodes_[v].is_frozen || !is_border(halfedge(vertex_of_[v], mesh_), mesh_))
           set_halfedge(vertex_of_[v], h, mesh_);
       }
     }
@@ -235,7 +234,7 @@ private:
   // Half-edges along the border: those whose outer side has no face of the caller's mesh.
   void link_border()
   {
-    std::vector<Index> entering(m_.vertex_end(), -1); // border half-edge with that target
+    std::vector<Index> entering(nodes_.size(), -1); // border half-edge with that target
     for(Index h = 0; h < 4 * m_.face_end(); ++h)
       if(is_true_border(h)) entering[m_.target(h)] = h;
     for(Index h = 0; h < 4 * m_.face_end(); ++h) {
@@ -257,7 +256,7 @@ private:
   // No border half-edge of the complex starts at v: the border goes on outside the region.
   bool leaving_is_outside(Index v) const
   {
-    const Index h = m_.vertex(v).halfedge;
+    const Index h = nodes_[v].halfedge;
     return !(m_.is_border(h) && is_true_border(h));
   }
 
@@ -270,14 +269,12 @@ private:
 
   void remove_old_edges_and_vertices()
   {
-    for(Index u = 0; u < Index(in_.points.size()); ++u)
-      for(Index i = first_edge_[u]; i < first_edge_[u + 1]; ++i) {
-        const Old_edge& e = old_edges_[i];
-        const bool twice = u > e.target && old_halfedge(e.target, u) != null();
-        if(!keep_[i] && !twice) remove_edge(edge(e.halfedge, mesh_), mesh_);
-      }
+    old_edges_.for_each([&](Index i, Index u, const auto& e) {
+      const bool twice = u > e.target && old_halfedge(e.target, u) != null();
+      if(!keep_[i] && !twice) remove_edge(edge(e.halfedge, mesh_), mesh_);
+    });
     for(Index v = 0; v < Index(in_.points.size()); ++v)
-      if(!m_.is_vertex(v)) remove_vertex(old_.vertices[v], mesh_);
+      if(!is_vertex(v)) remove_vertex(old_.vertices[v], mesh_);
   }
 
   QuadMesh& mesh_;
@@ -285,14 +282,14 @@ private:
   EdgeConstrainedMap ecm_;
   const Input_mesh& in_;
   const Mesh_descriptors<QuadMesh>& old_;
-  const Adaptation_state& s_;
+  Adaptation_state& s_;
   const Quad_complex& m_;
+  std::vector<Node> nodes_; // of the state, after make_vertices()
   std::vector<char> changed_, keep_;
   std::vector<halfedge_descriptor> halfedge_of_;
   std::vector<vertex_descriptor> vertex_of_;
   std::vector<face_descriptor> old_faces_;
-  std::vector<Index> first_edge_; // by vertex, among the next
-  std::vector<Old_edge> old_edges_;
+  Old_halfedges<halfedge_descriptor> old_edges_;
   std::vector<std::pair<Index, halfedge_descriptor>> border_after_, border_before_;
 };
 

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MIRROR_PLANES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_test.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Size_means.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@ class Mirror_search
 public:
   Mirror_search(const Input_mesh& in, const Adaptation_state& s)
       : points_(in.points), centre_(mean(in.points)), reach_(reach_of(in.points, centre_)),
-        test_(in, s, centre_, reach_)
+        means_(in, s, centre_, reach_), test_(in, s, centre_, reach_)
   {
   }
 
@@ -37,6 +38,7 @@ public:
   {
     if(!(reach_ > 0)) return {};
     normal_ = normal_of_flat();
+    if(means_.rule_out_all(normal_)) return {};
     for(const Vec& axis : { Vec(1, 0, 0), Vec(0, 1, 0), Vec(0, 0, 1) }) try_plane(axis);
     if(!is_complete()) try_bisectors();
     std::vector<Mirror_plane> planes;
@@ -74,7 +76,8 @@ private:
       }
     for(const Mirror_plane& p : found_)
       if(norm(cross(p.normal, n)) < 1e-6) return;
-    if(!test_.is_plausible(n)) return;
+    const bool is_of_mesh = norm(normal_) > 0 && norm(cross(n, normal_)) < 1e-6;
+    if(is_of_mesh || means_.rule_out(n) || !test_.is_plausible(n)) return;
     ++tests_;
     std::optional<Mirror_plane> p = test_(n);
     if(!p) return;
@@ -213,6 +216,7 @@ private:
   const std::vector<Vec>& points_;
   Vec centre_;
   double reach_;
+  Size_means means_;
   Mirror_test test_;
   Vec normal_ = Vec(0, 0, 0); // of a flat mesh
   std::size_t tests_ = 0;

@@ -38,14 +38,22 @@ inline void refuse_too_many(double faces)
 }
 
 // Tells the caller where the sizes grow faster than quads can follow.
-inline void advise_on_sizes(const Input_mesh& in, const Size_sampler& sizes,
+inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s,
                             Adaptation_report& report)
 {
-  if(sizes.is_constant()) return;
-  report.size_growth = measure_size_growth(in.points, in.quads,
-                                           [&sizes](const Vec& p) { return sizes.unscaled(p); });
+  if(s.size.is_constant()) return;
+  report.size_growth = measure_size_growth(
+      in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); }, &s.mesh);
   const std::string text = advice_on(report.size_growth);
   if(!text.empty()) report.advice.push_back(text);
+}
+
+// Are few faces too large or far too small, so that most may stay as they are?
+inline bool fits_mostly(const Size_ratio_table& ratios)
+{
+  constexpr std::size_t few = 10; // one face in so many
+  const std::size_t fit = ratios.counts[1] + ratios.counts[2] + ratios.counts[3];
+  return few * fit >= (few - 1) * ratios.total();
 }
 
 inline void count_features(const Adaptation_state& s, Adaptation_report& report)
@@ -151,8 +159,10 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     geometry.reference = reference ? &*reference : nullptr;
     build_state(in, features, geometry, s);
     count_features(s, report);
-    report.before = measured_state(s, reference);
-    advise_on_sizes(in, s.size, report);
+    std::optional<Kept_sizes> kept(in);
+    report.before = measured_state(s, reference, &*kept);
+    if(!fits_mostly(report.before.strict_size_ratio)) kept.reset();
+    advise_on_sizes(in, s, report);
     bound.start();
     const double ideal = bound.is_asked_for() ? measured_state(s, reference).ideal_number_of_faces
                                               : report.before.ideal_number_of_faces;
@@ -167,7 +177,9 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     keep_within_distance(s);
     bound.lift();
     keep_sizes_within_distance(s);
-    report.after = measured_state(s, reference);
+    s.forget_work(); // its memory is needed to measure
+    report.after = measured_state(s, reference, kept ? &*kept : nullptr);
+    kept.reset();
     s.report_progress(1);
     report.iterations = s.iterations;
     for(const auto& o : s.operation_counts()) report.operations.push_back({ o.first, o.second });

@@ -72,6 +72,7 @@ public:
   {
     Quad_complex& m = s_.mesh;
     const Index faces = m.face_end();
+    make_room();
     middle_.assign(4 * std::size_t(faces), -1);
     for(Index h = 0; h < 4 * faces; ++h) {
       const Index o = m.opposite(h);
@@ -90,6 +91,30 @@ public:
   }
 
 private:
+  // Where the mesh grows by much, at once and with some to spare: lists that grow by and by are
+  // there twice each time.
+  void make_room()
+  {
+    Quad_complex& m = s_.mesh;
+    std::size_t sides = 0, faces = 0, nodes = 0;
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      int marks = 0;
+      for(Index h = 4 * f; h < 4 * f + 4; ++h)
+        if(split_[h]) {
+          ++marks;
+          sides += m.is_border(h) ? 2 : 1;
+        }
+      const bool is_opposite = marks == 2 && split_[4 * f] == split_[4 * f + 2];
+      faces += marks == 4 ? 3 : is_opposite ? 1 : std::size_t(marks);
+      nodes += marks == 4 || (marks == 2 && !is_opposite) ? 1 : 0;
+    }
+    if(4 * faces < std::size_t(m.number_of_faces())) return;
+    nodes += std::size_t(m.vertex_end()) + sides / 2;
+    faces += std::size_t(m.face_end());
+    m.reserve(nodes + nodes / 16, faces + faces / 16);
+  }
+
   bool cut_face(Index f)
   {
     Quad_complex& m = s_.mesh;

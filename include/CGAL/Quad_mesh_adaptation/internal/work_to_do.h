@@ -114,9 +114,11 @@ inline std::vector<Index> faces_to_work_on(const Adaptation_state& s)
   return list;
 }
 
-// Is there nothing to do?
+// Is there nothing to do?  Faces that are too large are the first to tell.
 inline bool is_adapted(const Adaptation_state& s)
 {
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && s.size_ratio(f) > size_tolerance && !is_beyond_help(s, f)) return false;
   return !is_too_fine(s) && faces_to_work_on(s).empty();
 }
 
