@@ -24,6 +24,15 @@ inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limi
   return list;
 }
 
+inline double worst_quality(const Adaptation_state& s)
+{
+  double worst = 1;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f))
+      worst = (std::min)(worst, s.face_quality(s.corners(f), s.reference_normal(f)));
+  return worst;
+}
+
 inline double least_scaled_jacobian(const Adaptation_state& s)
 {
   double least = 1;

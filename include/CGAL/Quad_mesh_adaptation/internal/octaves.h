@@ -177,16 +177,21 @@ private:
   double most_;
 };
 
+inline void cut_all_faces(Adaptation_state& s)
+{
+  std::vector<Index> all;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) all.push_back(f);
+  refine_faces(s, all);
+}
+
 // Halves the sizes and all edges.  Since no face of the input is left then, all may be renumbered.
 // Sweeps over a million faces take half the time for it.
 inline void halve_all(Adaptation_state& s, int sweeps = 3)
 {
   Phase_scope phase(s, "refinement");
   s.scale_sizes(0.5);
-  std::vector<Index> all;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) all.push_back(f);
-  refine_faces(s, all);
+  cut_all_faces(s);
   ++s.iterations;
   renumber_by_place(s);
   if(sweeps > 0) smooth(s, sweeps);

@@ -15,6 +15,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
+#include <CGAL/Quad_mesh_adaptation/internal/trial_halving.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
@@ -151,30 +152,6 @@ inline bool is_worth_halving(const Adaptation_state& s, Index given_faces)
 {
   return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003 &&
          (s.mesh.number_of_faces() > given_faces || covers_surface(s));
-}
-
-inline double worst_quality(const Adaptation_state& s)
-{
-  double worst = 1;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f))
-      worst = (std::min)(worst, s.face_quality(s.corners(f), s.reference_normal(f)));
-  return worst;
-}
-
-// Do halved faces lie well on the surface?  In narrow folds and at sharp tips they may come out
-// folded over, and once they are nothing unfolds them.
-inline bool halves_well(Adaptation_state& s)
-{
-  constexpr double useless = 0.02;
-  if(s.surface.is_planar()) return true;
-  const double before = worst_quality(s);
-  Mesh_keeper mesh(s);
-  halve_all(s, 1);
-  const bool well = worst_quality(s) >= (std::min)(useless, before);
-  s.scale_sizes(2);
-  mesh.restore();
-  return well;
 }
 
 // What the first larger sizes were met from, where halving would fold faces of their mesh.
