@@ -130,28 +130,10 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
   if(use.local_operations) polish(s, clean, 5, 2);
 }
 
-// Is no part of the reference surface so far from the faces that halving them would not find it
-// again, as tips are where faces are too large for them?
-inline bool covers_surface(const Adaptation_state& s)
+// Has a mesh that will be halved about as many faces as its sizes ask for?
+inline bool is_worth_halving(const Adaptation_state& s)
 {
-  constexpr double far = 0.3; // edges; across a face that turns by t it is t / 4
-  if(s.surface.is_planar() && s.curves.empty()) return true;
-  std::vector<double> allowed(s.mesh.face_end(), (std::numeric_limits<double>::infinity)());
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) allowed[f] = far * mean_edge_length(s.corners(f));
-  const Distance_measure distances(s, *std::min_element(allowed.begin(), allowed.end()));
-  s.surface.forget_tree();
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && distances.of(f) > allowed[f]) return false;
-  return true;
-}
-
-// Has a mesh that will be halved about as many faces as its sizes ask for, and has it kept the
-// shape where it is coarser than the input?
-inline bool is_worth_halving(const Adaptation_state& s, Index given_faces)
-{
-  return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003 &&
-         (s.mesh.number_of_faces() > given_faces || covers_surface(s));
+  return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003;
 }
 
 // What the first larger sizes were met from, where halving would fold faces of their mesh.
@@ -176,8 +158,9 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
     Mesh_keeper input(s);
     approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
     if(use.last_resorts) enforce_sizes(s, clean, 16);
-    const bool is_full = is_worth_halving(s, given_faces);
-    if(is_full && (!use.trial_halving || halves_well(s))) return octaves;
+    const bool is_full =
+        is_worth_halving(s) && (s.mesh.number_of_faces() > given_faces || is_made_to_cover(s));
+    if(is_full && (!use.trial_halving || is_made_to_halve_well(s))) return octaves;
     if(is_full && refused && !refused->input) {
       refused->input.emplace(input);
       refused->scale = s.size.scale();
