@@ -61,7 +61,8 @@ public:
   Index patch(Index t) const { return patches_[t]; }
   const Vec& normal(Index t) const { return normals_[t]; } // once they are found
 
-  // Before normals are asked for, and walks: a plane can do without.
+  // Before normals are asked for, and walks where triangles may face another way: a plane can do
+  // without.
   void find_normals()
   {
     normals_.reserve(triangles_.size());
@@ -117,7 +118,7 @@ private:
                 double& d) const
   {
     // round a thin edge to the other side; a right angle, as of a box, is still allowed
-    if(normals_[n] * normals_[start] < -0.2) return false;
+    if(!normals_.empty() && normals_[n] * normals_[start] < -0.2) return false;
     const auto there = closest_on_triangle(p, triangle(n));
     const double dn = (p - there.point).squared_length();
     if(!(dn < enough)) return false;
