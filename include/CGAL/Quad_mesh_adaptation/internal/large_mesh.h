@@ -17,10 +17,7 @@ constexpr Index large_mesh = 5000;
 // As many of the part that is worked on.
 inline Index large_part(const Adaptation_state& s) { return large_mesh / Index(s.copies); }
 
-inline bool is_large(const Adaptation_state& s)
-{
-  return s.mesh.number_of_faces() > large_part(s);
-}
+inline bool is_large(const Adaptation_state& s) { return s.mesh.number_of_faces() > large_part(s); }
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

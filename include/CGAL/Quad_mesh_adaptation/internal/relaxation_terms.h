@@ -48,8 +48,8 @@ inline Corner_terms add_corner(double N, double D, Evaluation& e)
 }
 
 // hN: second derivative of N in each direction.
-inline void add_corner_slopes(const Corner_terms& c, double hN, const double* dN,
-                              const double* dD, Local_model& m)
+inline void add_corner_slopes(const Corner_terms& c, double hN, const double* dN, const double* dD,
+                              Local_model& m)
 {
   const double x = (2 * dD[0] - c.t * dN[0]) * c.inverse_N,
                y = (2 * dD[1] - c.t * dN[1]) * c.inverse_N;

@@ -35,8 +35,8 @@ inline std::vector<Index> faces_off_the_surface(const Adaptation_state& s)
   return faces;
 }
 
-// The faces of now about nodes where halved faces would not lie well on the surface: in narrow folds
-// and at sharp tips they may come out folded over, and once they are nothing unfolds them.
+// The faces of now about nodes where halved faces would not lie well on the surface: in narrow
+// folds and at sharp tips they may come out folded over, and once they are nothing unfolds them.
 inline std::vector<Index> faces_folded_by_halving(Adaptation_state& s)
 {
   constexpr double useless = 0.02;
