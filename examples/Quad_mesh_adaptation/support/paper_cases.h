@@ -54,7 +54,7 @@ inline Mesh square_plate(int k)
 /// All sizes are divided by `k`.
 inline double circular_load_size(const Point& p, double k = 1.)
 {
-  return (0.1 + std::abs(std::sqrt(p.x() * p.x() + p.y() * p.y()) - 4.8)) / k;
+  return (0.1 + std::abs(std::hypot(p.x(), p.y()) - 4.8)) / k;
 }
 
 /// Nosecone: 0.1 at the tip, 3 at the base, linear along the axis; divided by `k`.
@@ -66,8 +66,7 @@ inline double nosecone_size(const Point& p, double k = 1.)
 /// Plate with a hole: 0.04 on the hole to about 1.4 in the far corner; divided by `k`.
 inline double plate_with_hole_size(const Point& p, double k = 1.)
 {
-  const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
-  const double d = (std::max)(0., r - Quarter_plate::hole_radius);
+  const double d = (std::max)(0., std::hypot(p.x(), p.y()) - Quarter_plate::hole_radius);
   return (0.04 + 0.1 * d + 0.0127 * d * d) / k;
 }
 
