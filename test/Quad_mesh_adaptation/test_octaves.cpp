@@ -8,6 +8,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/trial_halving.h>
 #include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -15,10 +16,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -139,6 +142,56 @@ TEST(Octaves, HalvingKeepsThePattern)
       EXPECT_NEAR(s.size_ratio(f), core::mean_edge_length(p) / s.size.at_face(p), 1e-12);
     }
   }
+}
+
+// A trial leaves no trace.
+TEST(Octaves, TrialOfHalving)
+{
+  for(const Shape& shape : shape_zoo::all()) {
+    SCOPED_TRACE(shape.name);
+    Adaptation_state s = make_state(shape);
+    std::vector<Vec> before, after;
+    const auto quads = state_checks::quads_of(s.mesh, before);
+    for(Index f : core::faces_folded_by_halving(s)) EXPECT_TRUE(s.mesh.is_face(f));
+    EXPECT_EQ(state_checks::quads_of(s.mesh, after), quads);
+    EXPECT_EQ(after, before);
+    EXPECT_EQ(s.size.scale(), 1);
+  }
+}
+
+// Few faces are cut until none are left, at most three times, and never many.
+TEST(Octaves, FewFacesAreCut)
+{
+  Adaptation_state plate = make_state(shape_zoo::plate());
+  for(int time = 0; time < 2; ++time) core::halve_all(plate);
+  const Index given = plate.mesh.number_of_faces();
+  ASSERT_GE(given, 200);
+  const Vec corner = plate.corners(0)[0];
+  const double edge = core::mean_edge_length(plate.corners(0));
+  // faces longer than `length` that touch a ball about a corner of the first
+  const auto longer_than = [corner](double length, double radius) {
+    return [=](const Adaptation_state& s) {
+      std::vector<Index> faces;
+      for(Index f = 0; f < s.mesh.face_end(); ++f) {
+        if(!s.mesh.is_face(f) || core::mean_edge_length(s.corners(f)) <= length) continue;
+        const core::Corners p = s.corners(f);
+        if(std::any_of(p.begin(), p.end(),
+                       [&](const Vec& q) { return core::distance(q, corner) <= radius; }))
+          faces.push_back(f);
+      }
+      return faces;
+    };
+  };
+  Adaptation_state s = plate;
+  EXPECT_TRUE(core::is_mended_by_cuts(s, longer_than(0.8 * edge, 0.1 * edge)));
+  EXPECT_GT(s.mesh.number_of_faces(), given);
+  EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
+  s = plate;
+  EXPECT_FALSE(core::is_mended_by_cuts(s, longer_than(0.001 * edge, 0.1 * edge)));
+  EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
+  s = plate;
+  EXPECT_FALSE(core::is_mended_by_cuts(s, longer_than(0.8 * edge, 1e9)));
+  EXPECT_EQ(s.mesh.number_of_faces(), given);
 }
 
 // A fine sphere thinned out and halved again is round as before.
