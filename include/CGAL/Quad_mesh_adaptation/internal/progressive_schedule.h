@@ -4,7 +4,6 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/Distance_measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
@@ -21,9 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -241,12 +238,12 @@ inline void run_other_way(Adaptation_state& s, const Improvement_options& clean,
 inline void run_several_ways(Adaptation_state& s, const Improvement_options& clean,
                              std::size_t max_iterations, const Schedule_ingredients& use)
 {
-  Refused_octave given;
-  given.scale = s.size.scale();
+  if(s.surface.is_planar()) return run_with_detours(s, clean, max_iterations, use);
   constexpr double useless = 0.02;
   constexpr Index few_enough = 20000; // for a third run
   const double enough = (std::min)(least_scaled_jacobian(s), useless);
-  if(s.surface.is_planar()) return run_with_detours(s, clean, max_iterations, use);
+  Refused_octave given;
+  given.scale = s.size.scale();
   if(s.mesh.number_of_faces() > without_detours) {
     run_progressively(s, clean, max_iterations, use, &given);
   } else {
