@@ -41,16 +41,18 @@ std::vector<Task> all_tasks(const std::vector<Shape>& shapes, int highest,
   for(int level = 3; level <= highest; ++level)
     for(const Shape& s : shapes) {
       const double faces = std::pow(10., level);
-      tasks.push_back(adapt_task(s, level));
-      if(s.name == "plate")
-        tasks.push_back(adapt_whole_task(s, level)); // the others have no planes
+      std::vector<Use_of_symmetry> uses = { Use_of_symmetry::as_by_default };
+      if(s.is_symmetric) uses.push_back(Use_of_symmetry::none);
+      const bool is_refined = faces > 2 * s.coarse_faces;
+      for(const Use_of_symmetry use : uses) {
+        tasks.push_back(adapt_task(s, level, use));
 #ifdef CGAL_LINKED_WITH_TBB
-      tasks.push_back(threads_task(s, level, 2));
+        tasks.push_back(threads_task(s, level, use, 2));
 #endif
-      if(faces > 2 * s.coarse_faces) {
-        tasks.push_back(refine_task(s, level));
-        tasks.push_back(isotropic_task(s, level));
+        if(is_refined) tasks.push_back(refine_task(s, level, use));
       }
+      tasks.push_back(isotropic_task(s, level, false));
+      if(is_refined) tasks.push_back(isotropic_task(s, level, true));
       if(faces > 0.5 * s.coarse_faces) {
         tasks.push_back(coarsen_task("coarsen", s, level, 4));
         tasks.push_back(coarsen_task("coarsen 100", s, level, 10));

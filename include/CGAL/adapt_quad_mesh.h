@@ -40,15 +40,13 @@ Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const Sizi
   const std::size_t iterations = choose_parameter(
       get_parameter(np, internal_np::number_of_iterations), default_number_of_iterations);
   const bool paper = is_paper_schedule(np);
-  return run_on_mesh(
-      faces, is_region, sizing, mesh, np, paper,
-      [&](Adaptation_state& s, Adaptation_report&) {
-        if(paper)
-          run_paper_schedule(s, iterations);
-        else
-          run_default_schedule(s, iterations);
-      },
-      !paper);
+  return run_on_mesh(faces, is_region, sizing, mesh, np, Call_kind{ paper, !paper, !paper },
+                     [&](Adaptation_state& s, Adaptation_report&) {
+                       if(paper)
+                         run_paper_schedule(s, iterations);
+                       else
+                         run_default_schedule(s, iterations);
+                     });
 }
 
 } // namespace internal

@@ -5,6 +5,10 @@
 
 #include "support/symmetry_fixture.h"
 
+#include <CGAL/Quad_mesh_adaptation/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/coarsen.h>
+#include <CGAL/Quad_mesh_adaptation/refine.h>
+
 #include <gtest/gtest.h>
 
 using namespace symmetry_fixture;
@@ -64,6 +68,31 @@ TEST(Symmetry, CostsFewFaces)
       EXPECT_LE(double(kept.report.after.faces), 1.1 * double(free.report.after.faces))
           << s.name << ", factor " << factor;
     }
+}
+
+// The phases alone keep it, too: refined, cleaned up and coarsened again, each from the one before.
+TEST(Symmetry, Phases)
+{
+  const auto size = [](double factor) -> Size {
+    return [factor](const Point& p) {
+      return factor * (1 + 0.1 * std::abs(std::hypot(p.x(), p.y()) - 8));
+    };
+  };
+  const Shape plate = centred(shape_zoo::plate(24, 24));
+  const mesh_checks::Facts facts = mesh_checks::facts_of(plate.points, plate.quads);
+  const auto expect_symmetric = [&](const QMA::Adaptation_report& report, const Mesh& mesh) {
+    EXPECT_TRUE(report.has_valid_mesh()) << report.message;
+    EXPECT_GT(report.operations.size(), 0u);
+    zoo_mesh::expect_valid(mesh, facts);
+    EXPECT_EQ(unmatched(mesh, 0) + unmatched(mesh, 1), 0u);
+  };
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(plate);
+  expect_symmetric(QMA::refine(size(0.25), mesh), mesh);
+  expect_symmetric(QMA::clean_up(size(0.25), mesh), mesh);
+  Mesh other = mesh;
+  expect_symmetric(QMA::coarsen(size(0.5), mesh), mesh);
+  QMA::coarsen(size(0.5), other, QMA::symmetry(false));
+  EXPECT_GT(unmatched(other, 0) + unmatched(other, 1), 0u);
 }
 
 TEST(Symmetry, InAnyPosition)

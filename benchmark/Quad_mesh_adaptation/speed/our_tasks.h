@@ -54,60 +54,67 @@ inline std::function<Outcome()> on_mesh(Mesh mesh, Sizing size, Call call)
   return [=] { return timed(call, size, *input); };
 }
 
+namespace QMA = CGAL::Quad_mesh_adaptation;
+
 inline Adaptation_report adapt(const Sizing& size, Mesh& mesh)
 {
-  return CGAL::Quad_mesh_adaptation::adapt_quad_mesh(size, mesh);
+  return QMA::adapt_quad_mesh(size, mesh);
 }
 
-inline Task refine_task(const Shape& shape, int level)
+/// Whether a call may make use of symmetry.
+enum class Use_of_symmetry
+{
+  as_by_default,
+  none
+};
+
+inline std::string named(const std::string& what, Use_of_symmetry use)
+{
+  return use == Use_of_symmetry::none ? what + " whole" : what;
+}
+
+inline Task refine_task(const Shape& shape, int level, Use_of_symmetry use)
 {
   const double faces = std::pow(10., level);
-  return { "refine", shape.name, level,
+  return {
+    named("refine", use), shape.name, level,
+    [=] {
+      return on_mesh(shape.coarse(), shape.graded(faces), [use](const Sizing& size, Mesh& mesh) {
+        return QMA::refine(size, mesh, QMA::symmetry(use == Use_of_symmetry::as_by_default));
+      });
+    },
+    true
+  };
+}
+
+inline Task adapt_task(const Shape& shape, int level, Use_of_symmetry use)
+{
+  const double faces = std::pow(10., level);
+  return { named("adapt", use), shape.name, level,
            [=] {
-             return on_mesh(shape.coarse(), shape.graded(faces),
-                            [](const Sizing& size, Mesh& mesh) {
-                              return CGAL::Quad_mesh_adaptation::refine(size, mesh);
+             return on_mesh(shape.to_adapt(faces), shape.graded(faces),
+                            [use](const Sizing& size, Mesh& mesh) {
+                              return QMA::adapt_quad_mesh(
+                                  size, mesh, QMA::symmetry(use == Use_of_symmetry::as_by_default));
                             });
            },
            true };
 }
 
-inline Task adapt_task(const Shape& shape, int level)
-{
-  const double faces = std::pow(10., level);
-  return { "adapt", shape.name, level,
-           [=] { return on_mesh(shape.to_adapt(faces), shape.graded(faces), adapt); }, true };
-}
-
-/// The same without use of symmetry.
-inline Task adapt_whole_task(const Shape& shape, int level)
-{
-  Task task = adapt_task(shape, level);
-  const double faces = std::pow(10., level);
-  task.what = "adapt whole";
-  task.prepare = [=] {
-    return on_mesh(shape.to_adapt(faces), shape.graded(faces), [](const Sizing& size, Mesh& mesh) {
-      return CGAL::Quad_mesh_adaptation::adapt_quad_mesh(
-          size, mesh, CGAL::Quad_mesh_adaptation::symmetry(false));
-    });
-  };
-  return task;
-}
-
 #ifdef CGAL_LINKED_WITH_TBB
 /// The same with so many threads, by the clock.
-inline Task threads_task(const Shape& shape, int level, int threads)
+inline Task threads_task(const Shape& shape, int level, Use_of_symmetry use, int threads)
 {
-  Task task = adapt_whole_task(shape, level);
-  task.what = "adapt whole, " + std::to_string(threads) + " threads";
+  Task task = adapt_task(shape, level, use);
+  task.what += ", " + std::to_string(threads) + " threads";
   task.measures_memory = false;
   const double faces = std::pow(10., level);
   task.prepare = [=] {
     const auto call =
-        on_mesh(shape.to_adapt(faces), shape.graded(faces), [](const Sizing& size, Mesh& mesh) {
-          namespace QMA = CGAL::Quad_mesh_adaptation;
+        on_mesh(shape.to_adapt(faces), shape.graded(faces), [use](const Sizing& size, Mesh& mesh) {
           return QMA::adapt_quad_mesh(size, mesh,
-                                      QMA::symmetry(false, QMA::concurrency(CGAL::Parallel_tag())));
+                                      QMA::symmetry(use == Use_of_symmetry::as_by_default,
+                                                    QMA::concurrency(CGAL::Parallel_tag())));
         });
     return [=] {
       using Control = tbb::global_control;
@@ -131,9 +138,7 @@ inline Task coarsen_task(const std::string& what, const Shape& shape, int level,
              const double length = factor * std::sqrt(area(mesh) / double(mesh.number_of_faces()));
              return on_mesh(
                  std::move(mesh), [length](const Point&) { return length; },
-                 [](const Sizing& size, Mesh& m) {
-                   return CGAL::Quad_mesh_adaptation::coarsen(size, m);
-                 });
+                 [](const Sizing& size, Mesh& m) { return QMA::coarsen(size, m); });
            },
            true };
 }

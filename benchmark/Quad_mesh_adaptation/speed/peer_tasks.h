@@ -22,13 +22,15 @@
 // Other programs on the same surfaces.
 namespace speed {
 
-/// CGAL's isotropic remeshing of the coarse mesh, triangulated, to that many triangles: three
-/// iterations, uniform size.
-inline Task isotropic_task(const Shape& shape, int level)
+/// CGAL's isotropic remeshing of what refinement begins with, or else of what adaptation begins
+/// with, triangulated, to that many triangles: three iterations, uniform size.
+inline Task isotropic_task(const Shape& shape, int level, bool is_from_coarse)
 {
   const double triangles = std::pow(10., level);
-  return { "isotropic_remeshing", shape.name, level, [=] {
-            const auto mesh = std::make_shared<Mesh>(shape.coarse());
+  const char* what = is_from_coarse ? "isotropic_remeshing" : "isotropic_remeshing as adapt";
+  return { what, shape.name, level, [=] {
+            const auto mesh =
+                std::make_shared<Mesh>(is_from_coarse ? shape.coarse() : shape.to_adapt(triangles));
             // it makes 1.3 times as many as there would be equilateral ones with this edge
             const double length = std::sqrt(1.3 * area(*mesh) * 4 / (std::sqrt(3.) * triangles));
             CGAL::Polygon_mesh_processing::triangulate_faces(*mesh);

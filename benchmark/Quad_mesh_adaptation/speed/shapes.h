@@ -38,6 +38,7 @@ struct Shape
   std::function<Mesh(double faces)> to_adapt; ///< to be adapted to that many faces
   std::function<Sizing(double faces)> graded; ///< sizes that ask for about so many faces
   double coarse_faces;
+  bool is_symmetric; ///< in planes that cut no face, with its graded sizes
 };
 
 /// The closed shape, read once; halved until it has enough faces.
@@ -73,7 +74,8 @@ inline Shape plate()
              const double k = std::sqrt(faces / plate_faces);
              return [k](const Point& p) { return circular_load_size(p, k); };
            },
-           100 };
+           100,
+           true };
 }
 
 inline Shape nosecone()
@@ -87,7 +89,8 @@ inline Shape nosecone()
              const double k = std::sqrt(faces / nosecone_faces);
              return [k](const Point& p) { return nosecone_size(p, k); };
            },
-           725 };
+           725,
+           false };
 }
 
 /// A cow; sizes grow to three times the smallest from the head to the tail.
@@ -120,7 +123,8 @@ inline Shape spot(const std::string& folder)
              const double smallest = std::sqrt(wanted / (0.87 * faces));
              return [=](const Point& p) { return smallest * relative(p); };
            },
-           double(mesh->number_of_faces()) };
+           double(mesh->number_of_faces()),
+           true };
 }
 
 } // namespace speed

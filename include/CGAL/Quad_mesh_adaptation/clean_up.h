@@ -26,7 +26,8 @@ Adaptation_report clean_up(const SizingField& sizing, QuadMesh& mesh,
 {
   const int passes = int(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(10)));
-  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, false,
+  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np,
+                               internal::Call_kind{ false, false, true },
                                [&](internal::Adaptation_state& s, Adaptation_report&) {
                                  internal::clean_up(s, internal::Improvement_options(), passes, 3);
                                });

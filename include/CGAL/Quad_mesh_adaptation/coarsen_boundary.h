@@ -25,7 +25,7 @@ Adaptation_report coarsen_boundary(const SizingField& sizing, QuadMesh& mesh,
                                    const NamedParameters& np = parameters::default_values())
 {
   return internal::run_on_mesh(
-      faces(mesh), false, sizing, mesh, np, true,
+      faces(mesh), false, sizing, mesh, np, internal::Call_kind{ true, false, false },
       [&](internal::Adaptation_state& s, Adaptation_report&) { internal::coarsen_boundary(s); });
 }
 

@@ -88,8 +88,10 @@ double expected_number_of_faces(const SizingField& sizing, const QuadMesh& mesh,
     const double expected = expected_faces(s, ideal, slope, scale);
     if(expected > most_rehearsed_faces || in.quads.size() > 20 * most_rehearsed_faces)
       return expected;
+    std::optional<Mirror_goal> mirror;
+    if(decode_symmetry(np)) mirror = Mirror_goal{ largest_allowed(aim), ideal, true };
     adapt_state(
-        in, features, geometry, decode_symmetry(np), aim, ideal,
+        in, features, geometry, mirror,
         [](Adaptation_state& part) { run_default_schedule(part, default_number_of_iterations); },
         s);
     return double(s.mesh.number_of_faces());

@@ -34,11 +34,11 @@ Adaptation_report refine(const SizingField& sizing, QuadMesh& mesh,
   const std::size_t passes =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations),
                                    default_number_of_iterations);
-  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, false,
-                               [&](internal::Adaptation_state& s, Adaptation_report&) {
-                                 internal::refine_by_octaves(s, internal::Marking_options(),
-                                                             passes);
-                               });
+  return internal::run_on_mesh(
+      faces(mesh), false, sizing, mesh, np, internal::Call_kind{ false, false, true },
+      [&](internal::Adaptation_state& s, Adaptation_report&) {
+        internal::refine_by_octaves(s, internal::Marking_options(), passes);
+      });
 }
 
 } // namespace Quad_mesh_adaptation

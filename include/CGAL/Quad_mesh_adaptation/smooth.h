@@ -26,7 +26,7 @@ Adaptation_report smooth(const SizingField& sizing, QuadMesh& mesh,
 {
   const int sweeps = int(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(10)));
-  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, false,
+  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, internal::Call_kind(),
                                [&](internal::Adaptation_state& s, Adaptation_report&) {
                                  internal::Phase_scope phase(s, "smoothing");
                                  internal::smooth(s, sweeps);

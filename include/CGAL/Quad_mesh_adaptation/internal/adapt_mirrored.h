@@ -79,6 +79,14 @@ struct Outcome
   }
 };
 
+// What is asked of a mesh made of images.
+struct Mirror_goal
+{
+  double limit = 1;          // the largest size ratio allowed
+  double ideal_faces = 0;    // what the sizes ask for
+  bool counts_faults = true; // or is any valid outcome as good as another of as many faces?
+};
+
 inline std::size_t count_faults(const Adaptation_state& s, double limit)
 {
   std::size_t faults = 0;
@@ -97,10 +105,11 @@ inline std::size_t count_faults(const Adaptation_state& s, double limit)
 }
 
 // Adds an outcome to those that are done.
-inline void keep(Outcome&& o, double limit, Adaptation_state& whole, std::vector<Outcome>& done)
+inline void keep(Outcome&& o, const Mirror_goal& goal, Adaptation_state& whole,
+                 std::vector<Outcome>& done)
 {
   o.exchange(whole);
-  const std::size_t faults = count_faults(whole, limit);
+  const std::size_t faults = goal.counts_faults ? count_faults(whole, goal.limit) : 0;
   o.exchange(whole);
   done.push_back(std::move(o));
   done.back().faults = faults;
@@ -108,7 +117,7 @@ inline void keep(Outcome&& o, double limit, Adaptation_state& whole, std::vector
 
 // The same algorithm on all of the input.
 template <typename Algorithm>
-void adapt_whole(double limit, const Algorithm& algorithm, Adaptation_state& whole,
+void adapt_whole(const Mirror_goal& goal, const Algorithm& algorithm, Adaptation_state& whole,
                  std::vector<Outcome>& done)
 {
   Outcome o{ whole.mesh,
@@ -121,15 +130,15 @@ void adapt_whole(double limit, const Algorithm& algorithm, Adaptation_state& who
   o.exchange(whole);
   algorithm(whole);
   o.exchange(whole);
-  keep(std::move(o), limit, whole, done);
+  keep(std::move(o), goal, whole, done);
 }
 
 // Adapts one part and completes the whole by its images.  -1 after success, else the plane to blame
 // if they do not make a valid mesh of the same sizes.
 template <typename Build, typename Algorithm>
-int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, double limit,
-               const Build& build, const Algorithm& algorithm, Adaptation_state& whole,
-               std::vector<Outcome>& done)
+int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes,
+               const Mirror_goal& goal, const Build& build, const Algorithm& algorithm,
+               Adaptation_state& whole, std::vector<Outcome>& done)
 {
   const int last = int(planes.size()) - 1;
   const std::size_t images = std::size_t(1) << planes.size();
@@ -153,11 +162,11 @@ int adapt_part(const Input_mesh& in, const std::vector<Mirror_plane>& planes, do
   o.operations = whole.operations;
   for(const auto& n : part.operations) o.operations.emplace_back(n.first, images * n.second);
   part = Adaptation_state(); // its memory is needed elsewhere
-  const int blamed = unfold(limit);
+  const int blamed = unfold(goal.limit);
   if(blamed >= 0) return blamed;
   o.mesh = std::move(unfold.mesh());
   o.curves = std::move(unfold.curves());
-  keep(std::move(o), limit, whole, done);
+  keep(std::move(o), goal, whole, done);
   return -1;
 }
 
@@ -185,28 +194,27 @@ inline Outcome& choose(std::vector<Outcome>& done)
 // result is as symmetric as the input.  A part of few faces may have to round up whole rows of
 // them: then fewer planes and none are tried as well, and the symmetry is kept as long as it does
 // not cost too many faces.  `whole` is the state of the input, not adapted yet;
-// `build(part_of_input, state)` builds that of a part; `limit` is the largest size ratio allowed;
-// `ideal_faces` what the sizes ask for.  False, with the state as it was, if there is no plane to
-// mirror in.
+// `build(part_of_input, state)` builds that of a part.  False, with the state as it was, if there
+// is no plane to mirror in.
 template <typename Build, typename Algorithm>
-bool adapt_mirrored(const Input_mesh& in, double limit, double ideal_faces, const Build& build,
+bool adapt_mirrored(const Input_mesh& in, const Mirror_goal& goal, const Build& build,
                     const Algorithm& algorithm, Adaptation_state& whole)
 {
   constexpr double many_faces = 250;
   std::vector<Mirror_plane> planes = mirror_planes(in, whole);
   std::vector<Outcome> done;
   while(!planes.empty()) {
-    const int blamed = adapt_part(in, planes, limit, build, algorithm, whole, done);
+    const int blamed = adapt_part(in, planes, goal, build, algorithm, whole, done);
     if(blamed >= 0) {
       planes.erase(planes.begin() + blamed);
       continue;
     }
-    const bool few = std::ldexp(many_faces, int(planes.size())) > ideal_faces;
+    const bool few = std::ldexp(many_faces, int(planes.size())) > goal.ideal_faces;
     if(!few && done.back().faults == 0) break;
     planes.pop_back();
   }
   if(done.empty()) return false;
-  if(planes.empty()) adapt_whole(limit, algorithm, whole, done);
+  if(planes.empty()) adapt_whole(goal, algorithm, whole, done);
   choose(done).exchange(whole);
   return true;
 }

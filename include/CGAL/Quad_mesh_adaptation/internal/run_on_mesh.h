@@ -109,27 +109,32 @@ inline void leave_idle_reference(const Input_mesh& in, const Feature_options& fe
 // on a part of it that is mirrored then.
 template <typename Algorithm>
 void adapt_state(const Input_mesh& in, const Feature_options& features, Geometry_options geometry,
-                 bool may_mirror, Aim aim, double ideal_number_of_faces, const Algorithm& algorithm,
+                 const std::optional<Mirror_goal>& mirror, const Algorithm& algorithm,
                  Adaptation_state& s)
 {
-  if(may_mirror && geometry.reference) leave_idle_reference(in, features, geometry, s);
+  if(mirror && geometry.reference) leave_idle_reference(in, features, geometry, s);
   const auto build = [&](const Input_mesh& input, Adaptation_state& state) {
     build_state(input, features, geometry, state);
   };
-  if(!may_mirror || !geometry.is_flat_input() ||
-     !adapt_mirrored(in, largest_allowed(aim), ideal_number_of_faces, build, algorithm, s))
+  if(!mirror || !geometry.is_flat_input() || !adapt_mirrored(in, *mirror, build, algorithm, s))
     algorithm(s);
 }
 
+// What the public functions differ in but for their algorithms.
+struct Call_kind
+{
+  bool is_paper = false;       // sizes are those at the centres of faces
+  bool is_foretold = false;    // the default schedule, whose number of faces can be foretold
+  bool keeps_symmetry = false; // may run on a part of a symmetric input that is mirrored then
+};
+
 // What every public function does around its algorithm: import and check, build the state, run
-// `algorithm(state)`, measure, and only then write back.  `is_default`: the algorithm is the
-// whole default schedule, whose count can be foretold, and which may run on a part of a symmetric
-// input that is mirrored then.
+// `algorithm(state)`, measure, and only then write back.
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
           typename Algorithm>
 Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const SizingField& sizing,
-                              QuadMesh& mesh, const NamedParameters& np, bool paper,
-                              const Algorithm& algorithm, bool is_default = false)
+                              QuadMesh& mesh, const NamedParameters& np, const Call_kind& kind,
+                              const Algorithm& algorithm)
 {
   using Decoded = Decoded_parameters<QuadMesh, NamedParameters>;
   const Aim aim = decode_aim(np);
@@ -144,7 +149,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
   try {
     Adaptation_state s;
     s.size = make_sampler<typename Decoded::Point>(sizing);
-    if(paper) s.size.sampling = Size_sampling::centre;
+    if(kind.is_paper) s.size.sampling = Size_sampling::centre;
     s.size.scale_by(scale_of(aim));
     s.workers.use_threads(decode_concurrency(np));
     Distance_bound bound(s, decode_max_distance(np));
@@ -167,13 +172,15 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     const double ideal = bound.is_asked_for() ? measured_state(s, reference).ideal_number_of_faces
                                               : report.before.ideal_number_of_faces;
     refuse_too_many(ideal);
-    if(is_default)
+    if(kind.is_foretold)
       report.expected_number_of_faces =
           expected_faces(s, ideal, report.size_growth.mean_square_slope, scale_of(aim));
-    const bool may_mirror = is_default && decode_symmetry(np) && !bound.is_asked_for();
+    std::optional<Mirror_goal> mirror;
+    if(kind.keeps_symmetry && decode_symmetry(np) && !bound.is_asked_for())
+      mirror = Mirror_goal{ largest_allowed(aim), ideal, kind.is_foretold };
     adapt_state(
-        in, features, geometry, may_mirror, aim, ideal,
-        [&](Adaptation_state& part) { algorithm(part, report); }, s);
+        in, features, geometry, mirror, [&](Adaptation_state& part) { algorithm(part, report); },
+        s);
     keep_within_distance(s);
     bound.lift();
     keep_sizes_within_distance(s);
@@ -188,7 +195,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
       s.forget_sizes();
     }
     const std::vector<Index> large = faces_too_large(s, largest_allowed(aim));
-    judge_sizes(report, paper, aim, large.size());
+    judge_sizes(report, kind.is_paper, aim, large.size());
     const std::vector<Index> far = bound.faces_too_far();
     judge_distances(report, bound.allowed(), far.size());
     const std::vector<Poor_face> poor = poor_faces(s, Poor_face::floor);
