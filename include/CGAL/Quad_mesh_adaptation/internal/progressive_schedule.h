@@ -154,7 +154,7 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
   for(; octaves > 0; --octaves) {
     Mesh_keeper input(s);
     approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
-    if(use.last_resorts) enforce_sizes(s, clean, 16);
+    if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
     const bool is_full =
         is_worth_halving(s) && (s.mesh.number_of_faces() > given_faces || is_made_to_cover(s));
     if(is_full && (!use.trial_halving || is_made_to_halve_well(s))) return octaves;

@@ -71,7 +71,7 @@ public:
       before_.emplace(s_);
       faults_ = shape_faults(s_);
     }
-    split_too_large(s_, faces_to_mend(s_, 0.5));
+    split_too_large(s_, faces_to_mend(s_, worth_more_faces));
   }
 
   void take_back_unless_better()
@@ -80,6 +80,8 @@ public:
   }
 
 private:
+  static constexpr double worth_more_faces = 0.55; // quality below which faces are
+
   Adaptation_state& s_;
   std::optional<Mesh_keeper> before_; // the first
   double faults_ = 0;
