@@ -173,7 +173,7 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
 inline void descend_one_octave(Adaptation_state& s, const Improvement_options& clean,
                                std::size_t max_passes, const Schedule_ingredients& use)
 {
-  halve_all(s);
+  halve_all(s, 0); // all nodes move in the end, and those between smooth ones lie well until then
   refine_progressively(s, clean, max_passes, use);
   if(use.local_operations) polish(s, clean, 1, 0);
 }
