@@ -13,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
+#include <string>
 
 namespace {
 
@@ -66,6 +68,29 @@ TEST(Local_detours, LeaveGoodMeshesAlone)
 
 // Whole numbers of faces are hard to get right in small meshes; single runs may come out better or
 // worse for any change of the search.
+// A square of n x n faces mapped on a disk: at four places of its border one face has a flat angle.
+shape_zoo::Shape squared_disk(Index n)
+{
+  return shape_zoo::grid("squared disk", n, n, [n](Index i, Index j) {
+    const double x = 2. * i / n - 1, y = 2. * j / n - 1;
+    return Vec(x * std::sqrt(1 - 0.5 * y * y), y * std::sqrt(1 - 0.5 * x * x), 0);
+  });
+}
+
+TEST(Corner_splits, FlatCornersOfASquareOnADisk)
+{
+  for(Index n : { 8, 14 })
+    for(double factor : { 0.4, 0.7, 1., 1.5 }) {
+      SCOPED_TRACE(std::to_string(n) + ", factor " + std::to_string(factor));
+      const shape_zoo::Shape disk = squared_disk(n);
+      Mesh mesh = zoo_mesh::make<Mesh, Point>(disk);
+      const auto report = QMA::adapt_quad_mesh(factor * zoo_mesh::mean_edge(disk), mesh);
+      ASSERT_TRUE(report.has_valid_mesh()) << report.message;
+      EXPECT_GT(report.after.min_scaled_jacobian, 0.5);
+      EXPECT_LE(report.after.max_valence, 5u);
+    }
+}
+
 TEST(Detours, SmallMeshesHaveAsManyFacesAsTheyNeed)
 {
   double efficiency = 0;

@@ -146,6 +146,8 @@ TEST_F(Operators, EdgeSwap) { run(places::add_swaps, 500); }
 TEST_F(Operators, VertexRotation) { run(places::add_rotations, 200); }
 TEST_F(Operators, HalfRingCollapseAndBorderSplit) { run(places::add_border_pairs, 100); }
 TEST_F(Operators, CreaseCollapse) { run(places::add_crease_collapses, 30); }
+TEST_F(Operators, CornerSplit) { run(places::add_corner_splits, 500); }
+TEST_F(Operators, QuadInsertion) { run(places::add_insertions, 500); }
 TEST_F(Operators, ChordCollapse) { run(places::add_chords, 50); }
 TEST_F(Operators, RingCollapse) { run(places::add_rings, 50); }
 

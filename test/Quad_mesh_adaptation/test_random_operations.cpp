@@ -48,7 +48,7 @@ public:
     std::vector<Place> list;
     static void (*const find[])(const Adaptation_state&, std::vector<Place>&) = {
       places::add_closes,       places::add_opens,  places::add_swaps, places::add_rotations,
-      places::add_border_pairs, places::add_chords, places::add_rings, places::add_opens
+      places::add_border_pairs, places::add_chords, places::add_rings, places::add_corner_splits
     };
     const unsigned k = kind - 3;
     if(kind == 0 || ((k == 0 || k == 5 || k == 6) && faces < 8)) return "";

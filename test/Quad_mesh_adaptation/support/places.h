@@ -8,10 +8,12 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/operators/border_half_ring.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/corner_split.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/crease_collapse.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_open.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/quad_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/ring_collapse.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/vertex_rotation.h>
 
@@ -100,6 +102,42 @@ inline void add_swaps(const Adaptation_state& s, std::vector<Place>& list)
       ++p.corners[left ? m.target(m.next(o)) : m.origin(m.prev(o))];
       list.push_back(p);
     }
+  }
+}
+
+inline void add_corner_splits(const Adaptation_state& s, std::vector<Place>& list)
+{
+  const Quad_complex& m = s.mesh;
+  for(Index h = 0; h < 4 * m.face_end(); ++h) {
+    if(!m.is_face(m.face(h))) continue;
+    const core::Corner_split split = core::corner_split_at(m, h);
+    if(!core::is_corner_split_allowed(s, split)) continue;
+    Place p{ "corner split at half-edge " + std::to_string(h),
+             [split](Adaptation_state& t, Cavity& c) { core::describe_corner_split(t, split, c); },
+             3,
+             3,
+             0,
+             {} };
+    ++p.corners[m.origin(h)];
+    --p.corners[m.target(m.next(h))];
+    ++p.corners[m.origin(m.prev(split.left))];
+    ++p.corners[m.target(m.next(split.right))];
+    list.push_back(p);
+  }
+}
+
+inline void add_insertions(const Adaptation_state& s, std::vector<Place>& list)
+{
+  for(Index f = 0; f < s.mesh.face_end(); ++f) {
+    if(!core::is_quad_insertion_allowed(s, f)) continue;
+    Place p{ "quad insertion in face " + std::to_string(f),
+             [f](Adaptation_state& t, Cavity& c) { core::describe_quad_insertion(t, f, c); },
+             4,
+             4,
+             0,
+             {} };
+    for(Index v : s.mesh.quad(f)) ++p.corners[v];
+    list.push_back(p);
   }
 }
 
@@ -230,6 +268,8 @@ inline std::vector<Place> all_places(const Adaptation_state& s)
   add_rotations(s, list);
   add_border_pairs(s, list);
   add_crease_collapses(s, list);
+  add_corner_splits(s, list);
+  add_insertions(s, list);
   add_chords(s, list);
   add_rings(s, list);
   return list;

@@ -5,6 +5,8 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/curve_operation_bounds.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operation_kinds.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/corner_split.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/face_open.h>
@@ -18,63 +20,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-struct Improvement_options
-{
-  bool close = true, open = true, swap = true, rotate = true, border = true;
-  bool crease = false;           // creases inside the surface lose single edges, not only by chords
-  int max_valence = 5;           // of inner nodes, unless it was higher before
-  bool keep_within_size = false; // no operation may leave a face above its size
-  double min_jacobian = 0.5;     // no face may fall below min(this, worst before)
-  int sweeps = 2;                // of the local relaxation
-  double tolerance = 0;          // an operation may raise the energy by this much
-  bool first_gain = false;       // the first operation that gains will do, else the best
-  // Swaps and rotations are tried only where the valences gain this much: the others hardly ever
-  // pay, one in three hundred.
-  double valence_gain = 1;
-};
-
-enum class Operation_kind
-{
-  close,
-  open,
-  swap_left,
-  swap_right,
-  rotate,
-  border_collapse,
-  border_split,
-  crease_collapse,
-  insertion
-};
-
-inline const char* operation_name(Operation_kind k)
-{
-  switch(k) {
-  case Operation_kind::close:
-    return "face close";
-  case Operation_kind::open:
-    return "face open";
-  case Operation_kind::rotate:
-    return "vertex rotation";
-  case Operation_kind::border_collapse:
-    return "half-ring collapse";
-  case Operation_kind::border_split:
-    return "border split";
-  case Operation_kind::crease_collapse:
-    return "crease collapse";
-  case Operation_kind::insertion:
-    return "quad insertion";
-  default:
-    return "edge swap";
-  }
-}
-
-struct Operation_candidate
-{
-  Operation_kind kind;
-  Index h, g;
-  double bound; // of the change of energy: no outcome can be lower
-};
 
 // Lists what could be done about a node, with an O(1) bound on the gain of each, so that most of it
 // is dropped before geometry is touched.
@@ -140,6 +85,9 @@ public:
       break;
     case Operation_kind::crease_collapse:
       describe_crease_collapse(s_, crease_, cavity);
+      break;
+    case Operation_kind::corner_split:
+      describe_corner_split(s_, corner_split_at(s_.mesh, c.h), cavity);
       break;
     case Operation_kind::insertion:
       describe_quad_insertion(s_, c.h, cavity);
@@ -263,14 +211,29 @@ private:
           crease_collapse_bound(s_, bounds_, crease_));
   }
 
-  // A node on a curve, no corner, with one flat face on a side.
+  // A node on a curve, no corner, with one flat face on a side gets a second one.
   void collect_insertions(Index v)
   {
     const Quad_complex& m = s_.mesh;
     const bool border = out_.size() == 1;
     if(border ? m.vertex(v).ideal_faces < 2 : m.vertex(v).carrier != Carrier::curve) return;
     for(Index h : out_)
-      if(border || (m.curve(h) >= 0 && m.curve(m.prev(h)) >= 0)) collect_insertion(v, m.face(h));
+      if(border || (m.curve(h) >= 0 && m.curve(m.prev(h)) >= 0)) {
+        collect_corner_split(h);
+        collect_insertion(v, m.face(h));
+      }
+  }
+
+  void collect_corner_split(Index h)
+  {
+    const Quad_complex& m = s_.mesh;
+    const Corner_split c = corner_split_at(m, h);
+    if(!is_corner_split_allowed(s_, c)) return;
+    const Index x = m.origin(c.left), q = m.origin(m.prev(c.left)), r = m.target(m.next(c.right));
+    add(Operation_kind::corner_split, h, -1,
+        3 * s_.energy.face + 2 * s_.energy.valence + bounds_.valence_change(m.origin(h), 1) +
+            bounds_.valence_change(x, -1) + bounds_.valence_change(q, 1) +
+            bounds_.valence_change(r, 1) - bounds_.slack(x));
   }
 
   void collect_insertion(Index v, Index f)
