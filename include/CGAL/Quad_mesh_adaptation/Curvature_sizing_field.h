@@ -7,6 +7,8 @@
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Size_range.h>
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/chord_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/spread_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/vertex_curvatures.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
@@ -55,7 +57,7 @@ public:
       throw std::invalid_argument("Curvature_sizing_field: fewer than 3 elements in a circle");
     const double factor = 2 * std::sin(3.14159265358979323846 / n);
     return Curvature_sizing_field(
-        mesh, [factor](const internal::Vertex_curvature& k) { return factor / k.largest; }, range,
+        mesh, [factor](const internal::Principal_curvatures& k) { return factor / k.largest; }, range,
         np);
   }
 
@@ -78,9 +80,9 @@ public:
       throw std::invalid_argument("Curvature_sizing_field: the chord error is not positive");
     return Curvature_sizing_field(
         mesh,
-        [error](const internal::Vertex_curvature& k) {
-          const double radius = 1 / k.deviation, e = (std::min)(error / longer_edges, radius);
-          return 2 * std::sqrt(e) * std::sqrt(2 * radius - e);
+        [error](const internal::Principal_curvatures& k) {
+          const double radius = 1 / internal::chord_curvature(k), e = (std::min)(error, radius);
+          return 2 * std::sqrt(e) * std::sqrt(2 * radius - e) / internal::longest_chord;
         },
         range, np, error);
   }
@@ -93,7 +95,7 @@ public:
   }
 
 private:
-  static constexpr double longer_edges = 1.8;
+  static constexpr double growth = 0.35;
 
   template <class PolygonMesh, class SizeOfCurvature, class NP>
   Curvature_sizing_field(const PolygonMesh& mesh, const SizeOfCurvature& size, Size_range range,
@@ -124,33 +126,22 @@ private:
     range.largest = (std::max)((std::min)(range.largest, arrays.diagonal()), range.smallest);
     const double cos_feature = angle >= 180 ? -2. : std::cos(angle * 3.14159265358979323846 / 180);
     internal::Curvature_estimator estimator(arrays, cos_feature);
-    std::vector<internal::Vertex_curvature> curvatures = estimator();
-    if(error > 0) count_folds(arrays, estimator.features(), size, range, error, curvatures);
+    std::vector<internal::Principal_curvatures> curvatures = estimator();
+    std::vector<double> on_folds;
+    if(error > 0 && !choose_parameter(get_parameter(np, smooth_reference_tag), false))
+      on_folds = internal::chord_sizes(arrays, estimator.features(), error);
+    std::vector<double> lengths(curvatures.size());
+    for(std::size_t i = 0; i < lengths.size(); ++i) {
+      const internal::Principal_curvatures& k = curvatures[i];
+      lengths[i] = k.largest > 0 ? size(k) : range.largest;
+      if(!on_folds.empty()) lengths[i] = (std::min)(lengths[i], on_folds[i]);
+      lengths[i] = range.clamp(lengths[i]);
+    }
+    if(error > 0) internal::spread_sizes(arrays, growth, lengths);
     auto sizes = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
     std::size_t i = 0;
-    for(auto v : vertices(mesh)) {
-      const internal::Vertex_curvature& k = curvatures[i++];
-      put(sizes, v, k.largest > 0 ? range.clamp(size(k)) : range.largest);
-    }
+    for(auto v : vertices(mesh)) put(sizes, v, lengths[i++]);
     return Nodal_sizing_field(mesh, sizes, np);
-  }
-
-  // Where a few faces turn sharply, their edges tell more than a fit to the faces around.
-  template <class SizeOfCurvature>
-  static void count_folds(const internal::Face_arrays& arrays, const std::vector<char>& features,
-                          const SizeOfCurvature& size, const Size_range& range, double error,
-                          std::vector<internal::Vertex_curvature>& curvatures)
-  {
-    const auto length = [&](double k) {
-      return range.clamp(size(internal::Vertex_curvature{ k, k }));
-    };
-    const std::vector<double> folds =
-        internal::Fold_curvature(arrays, features)(length, error, longer_edges);
-    for(std::size_t v = 0; v < curvatures.size(); ++v) {
-      internal::Vertex_curvature& k = curvatures[v];
-      k.deviation = (std::max)(k.deviation, folds[v]);
-      k.largest = (std::max)(k.largest, folds[v]);
-    }
   }
 
   Nodal_sizing_field field_;
