@@ -39,19 +39,29 @@ public:
       normals_.push_back(normalized(mesh_.area_vector(f)));
   }
 
-  // Takes up the folds about the vertex between feature edges whose half-edges are `fan`.
-  void look_at(const std::vector<Index>& fan)
+  // Takes up the folds about a vertex between feature edges; its half-edges there are `fan`.
+  void look_at_vertex(const std::vector<Index>& fan)
   {
     middle_ = mesh_.source(fan[0]);
     angle_ = 0;
     double area = 0;
+    std::vector<Index> faces;
     for(Index g : fan) {
       const Vec a = mesh_.target(g) - middle_, b = mesh_.source(mesh_.prev(g)) - middle_;
       angle_ += std::atan2(norm(cross(a, b)), a * b);
       area += norm(cross(a, b)) / 6;
+      faces.push_back(mesh_.face[g]);
     }
-    radius_ = far * std::sqrt(area);
-    while(!gather(fan)) radius_ /= 2;
+    look_around(faces, area);
+  }
+
+  // Those about the middle of an edge that is no feature: at its ends a fold may be half over.
+  void look_at_edge(Index h)
+  {
+    const Index f = mesh_.face[h], g = mesh_.face[mesh_.opposite[h]];
+    middle_ = 0.5 * (mesh_.source(h) + mesh_.target(h));
+    angle_ = 2 * 3.14159265358979323846;
+    look_around({ f, g }, norm(mesh_.area_vector(f)) + norm(mesh_.area_vector(g)));
   }
 
   // The largest length that a line may have here.  Beyond it the curvature is that of this length.
@@ -79,10 +89,16 @@ private:
   // An edge, seen from the middle.
   struct Fold
   {
-    double turn; // positive where the surface is convex
-    Vec across;  // in the surface, at right angles to the edge
+    double turn;            // positive where the surface is convex
+    Vec across;             // in the surface, at right angles to the edge
     double apart, from, to; // of its line from the middle, and its ends along that
   };
+
+  void look_around(const std::vector<Index>& faces, double area)
+  {
+    radius_ = far * std::sqrt(area);
+    while(!gather(faces)) radius_ /= 2;
+  }
 
   // Integral of 1 - r / radius along the edge within the radius.
   static double weight(const Fold& f, double radius)
@@ -99,7 +115,7 @@ private:
   }
 
   // The folds within the radius that can be reached over the surface; false if these are too many.
-  bool gather(const std::vector<Index>& fan)
+  bool gather(const std::vector<Index>& middle_faces)
   {
     constexpr std::size_t most = 200; // faces
     ++round_;
@@ -110,7 +126,7 @@ private:
       reached_[f] = round_;
       faces.push_back(f);
     };
-    for(Index g : fan) reach(mesh_.face[g]);
+    for(Index f : middle_faces) reach(f);
     const std::size_t first = faces.size();
     for(std::size_t i = 0; i < faces.size(); ++i) {
       if(faces.size() > most + first) return false;

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_VERTEX_CURVATURES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_VERTEX_CURVATURES_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Feature_turns.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Principal_curvatures.h>
 
@@ -131,29 +132,14 @@ private:
     sum.other = (std::max)(sum.other, c.other);
   }
 
-  // Curvature of the feature curves: of the circle through a node and its two neighbours; an end of
-  // a curve has that of the node next to it.
+  // Curvature of the feature curves; an end of a curve has that of the node next to it.
   void add_curves(std::vector<Principal_curvatures>& result) const
   {
-    std::vector<std::vector<Index>> neighbours(mesh_.points.size());
-    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h) {
-      if(!is_feature_[h] || mesh_.opposite[h] > h) continue;
-      const Index a = mesh_.origin[h], b = mesh_.origin[mesh_.next(h)];
-      neighbours[a].push_back(b);
-      neighbours[b].push_back(a);
-    }
-    const auto curvature = [&](Index v) {
-      if(neighbours[v].size() != 2) return 0.;
-      const Vec &a = mesh_.points[neighbours[v][0]], &c = mesh_.points[neighbours[v][1]];
-      const Vec in = mesh_.points[v] - a, out = c - mesh_.points[v];
-      const double product = norm(in) * norm(out), chord = distance(a, c);
-      if(!(in * out > cos_feature_ * product) || !(chord > 0)) return 0.; // a corner
-      return 2 * norm(cross(in, out)) / (product * chord);
-    };
-    for(Index v = 0; v < Index(neighbours.size()); ++v) {
-      double k = curvature(v);
+    const Feature_turns turns(mesh_, is_feature_, cos_feature_);
+    for(Index v = 0; v < Index(result.size()); ++v) {
+      double k = turns.curvature(v);
       if(k == 0)
-        for(Index w : neighbours[v]) k = (std::max)(k, curvature(w));
+        for(Index w : turns.neighbours(v)) k = (std::max)(k, turns.curvature(w));
       add({ k, 0 }, result[v]);
     }
   }
