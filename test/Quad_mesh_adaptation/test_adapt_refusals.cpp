@@ -17,6 +17,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -134,12 +135,16 @@ TEST(Refusals, NonManifoldVertex)
 
 TEST(Refusals, BadParameters)
 {
-  for(double angle : { 0., -3., std::numeric_limits<double>::quiet_NaN() }) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for(double angle : { 0., -3., 180.5, 200., infinite, std::nan("") }) {
     Mesh mesh = plate();
     const Mesh before = mesh;
     const Adaptation_report r = QMA::adapt_quad_mesh(0.5, mesh, QMA::feature_angle(angle));
     EXPECT_EQ(r.status, Adaptation_status::input_refused);
     EXPECT_EQ(r.reason, Refusal::invalid_parameter);
+    std::ostringstream value;
+    value << "feature_angle(" << angle << ")";
+    EXPECT_NE(r.message.find(value.str()), std::string::npos) << r.message;
     EXPECT_TRUE(zoo_mesh::is_same(mesh, before));
   }
 }

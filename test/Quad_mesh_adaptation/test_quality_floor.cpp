@@ -70,8 +70,15 @@ void expect_true(const Adaptation_report& report, const Mesh& mesh)
   for(double j : jacobian)
     if(j < Poor_face::floor) ++poor;
   ASSERT_EQ(report.poor_faces.size(), poor);
-  for(const Poor_face& p : report.poor_faces)
+  for(const Poor_face& p : report.poor_faces) {
     EXPECT_NEAR(p.scaled_jacobian, jacobian.at(p.face), 1e-9);
+    if(p.limit != Shape_limit::feature_angle) continue;
+    EXPECT_LT(p.angle, std::asin(Poor_face::floor) * 180 / 3.14159265358979323846);
+    const auto meeting = *std::next(mesh.vertices_begin(), long(p.vertex));
+    const auto corners =
+        mesh.vertices_around_face(mesh.halfedge(*std::next(mesh.faces_begin(), long(p.face))));
+    EXPECT_EQ(std::count(corners.begin(), corners.end(), meeting), 1);
+  }
 }
 
 Adaptation_report adapt(const Shape& s, double factor, Mesh& mesh)
@@ -165,6 +172,28 @@ TEST(Quality_floor, SmallAnglesOfFeaturesAreNamed)
       EXPECT_EQ(p.limit, Shape_limit::feature_angle);
       EXPECT_NEAR(p.angle, degrees, 1e-6);
       EXPECT_EQ(mesh.point(*std::next(mesh.vertices_begin(), long(p.vertex))), Point(0, 0, 0));
+    }
+}
+
+// Only the face at the corner is excused: two nodes on either side can lie opposite each other, and
+// an angle at an inner node leaves half a turn or more to the faces beyond, so that none of these
+// must be poor.
+TEST(Quality_floor, FacesBesideASmallAngleAreNotExcused)
+{
+  for(double degrees : { 1., 2., 3., 5. })
+    for(double factor : { 0.4, 0.7, 1. }) {
+      SCOPED_TRACE(std::to_string(degrees) + ", " + std::to_string(factor));
+      Mesh mesh;
+      const Adaptation_report report = adapt(kite(8, degrees), factor, mesh);
+      int named = 0;
+      for(const Poor_face& p : report.poor_faces) {
+        if(p.limit == Shape_limit::none) continue;
+        EXPECT_EQ(p.limit, Shape_limit::feature_angle);
+        EXPECT_NEAR(p.angle, degrees, 1e-6);
+        EXPECT_EQ(mesh.point(*std::next(mesh.vertices_begin(), long(p.vertex))), Point(0, 0, 0));
+        ++named;
+      }
+      EXPECT_EQ(named, 1);
     }
 }
 

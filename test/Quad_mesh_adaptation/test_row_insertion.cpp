@@ -86,6 +86,20 @@ TEST(Row_insertion, NothingWhereSizesAreMetOrVaryAlongTheRows)
   EXPECT_EQ(core::insert_rows(s), 0u);
 }
 
+// A size is met if it is exceeded by no more than rounding.
+TEST(Row_insertion, NothingWhereSizesAreMetUpToRounding)
+{
+  Adaptation_state s = make_state(shape_zoo::plate(8, 8), of_size(1 - 1e-12));
+  EXPECT_EQ(core::insert_rows(s), 0u);
+  for(const Shape& shape : { shape_zoo::cube(8), shape_zoo::plate(20, 20) })
+    for(double rounding : { -1e-12, 0., 1e-12 }) {
+      Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
+      const double size = (0.5 + rounding) * zoo_mesh::mean_edge(shape);
+      const QMA::Adaptation_report r = QMA::adapt_quad_mesh(size, mesh);
+      EXPECT_EQ(r.after.faces, 4 * shape.quads.size()) << shape.name << rounding;
+    }
+}
+
 TEST(Row_insertion, FrozenBordersAreNotSplit)
 {
   const Shape plate = shape_zoo::plate(8, 8);

@@ -82,7 +82,8 @@ inline void add_sizes_of_surface(const Options& options, const Mesh& surface, Si
   QMA::Size_range range;
   if(options.smallest_size) range.smallest = *options.smallest_size;
   if(options.largest_size) range.largest = *options.largest_size;
-  const auto parameters = QMA::feature_angle(options.feature_angle);
+  const auto parameters =
+      QMA::smooth_reference(options.is_smooth, QMA::feature_angle(options.feature_angle));
   if(options.elements_per_circle)
     add_size(QMA::Curvature_sizing_field::elements_per_circle(surface, *options.elements_per_circle,
                                                               range, parameters),

@@ -14,7 +14,7 @@ enum class Shape_limit
 {
   none,          ///< nothing that is known
   feature_angle, ///< two feature edges meet at one of its corners, at a smaller angle than the
-                 ///< shape asks for
+                 ///< shape asks for; faces beside it could be better, whatever the angle
   held_nodes,    ///< three or four of its nodes are corners of features or held by the caller
   curved_surface ///< the surface turns by more than 60 degrees within the face
 };

@@ -109,7 +109,7 @@ constexpr double default_feature_angle = 50;
 
 /// Angle in degrees at and above which the turn of the surface across an edge makes that edge a
 /// feature curve, and the turn of a curve at a vertex makes that vertex a corner; default
-/// `default_feature_angle`; 180 detects nothing.
+/// `default_feature_angle`; above 0 and up to 180, which detects nothing.
 /// A detected curve with an end on the smooth surface counts only if it turns, on average, at least
 /// twice as much as the rows of edges beside it.
 inline Named_function_parameters<double, feature_angle_t> feature_angle(double degrees)

@@ -107,6 +107,23 @@ Face_arrays face_arrays(const PolygonMesh& mesh, const VertexPointMap& point_map
   return a;
 }
 
+// The half-edges that leave the origin of h, from feature edge to feature edge or all around.
+inline std::vector<Index> fan_of(const Face_arrays& mesh, const std::vector<char>& is_feature,
+                                 Index h)
+{
+  std::vector<Index> list = { h };
+  for(Index g = h; !is_feature[mesh.prev(g)];) {
+    g = mesh.opposite[mesh.prev(g)];
+    if(g == h) return list;
+    list.push_back(g);
+  }
+  for(Index g = h; !is_feature[g];) {
+    g = mesh.next(mesh.opposite[g]);
+    list.push_back(g);
+  }
+  return list;
+}
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

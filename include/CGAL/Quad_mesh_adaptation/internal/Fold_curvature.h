@@ -5,159 +5,170 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FOLD_CURVATURE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Principal_curvatures.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// The half-edges that leave the origin of h, from feature edge to feature edge or all around.
-inline std::vector<Index> fan_of(const Face_arrays& mesh, const std::vector<char>& is_feature,
-                                 Index h)
-{
-  std::vector<Index> list = { h };
-  for(Index g = h; !is_feature[mesh.prev(g)];) {
-    g = mesh.opposite[mesh.prev(g)];
-    if(g == h) return list;
-    list.push_back(g);
-  }
-  for(Index g = h; !is_feature[g];) {
-    g = mesh.next(mesh.opposite[g]);
-    list.push_back(g);
-  }
-  return list;
-}
-
-// Curvature as it is found on the edges of a mesh, where neighbouring faces turn against each other
-// (the normal cycle of Cohen-Steiner and Morvan, SoCG 2003): half the turn of an edge to either
-// end.  A fold of two or three faces, which a smooth fit to all faces around levels by half, counts
-// in full; over the length of a wanted edge, folds and their like are averaged.
+// The mean curvature about a vertex of flat triangles as a function of scale, from the turn across
+// their edges (the normal cycle of Cohen-Steiner and Morvan, SoCG 2003).
+//
+// A straight line of length L over the middle of folds at distances s, that turn by t, is off them
+// by the sum of t (L / 2 - |s|) / 2.  So the mean is taken with weights that fall linearly to zero
+// at a distance where both a single fold and a steady curvature k give k L^2 / 8.
 class Fold_curvature
 {
 public:
-  // `is_feature`: by half-edge; curvature is not averaged across those.
-  Fold_curvature(const Face_arrays& mesh, const std::vector<char>& is_feature)
-      : mesh_(mesh), is_feature_(is_feature), sector_(std::size_t(mesh.number_of_halfedges()), -1)
+  // `is_feature`: by half-edge; what lies beyond those does not count.
+  Fold_curvature(const Face_arrays& triangles, const std::vector<char>& is_feature)
+      : mesh_(triangles), is_feature_(is_feature),
+        reached_(std::size_t(triangles.number_of_faces()), -1)
   {
-    for(Index f = 0; f < mesh.number_of_faces(); ++f) areas_.push_back(mesh.area_vector(f));
-    for(Index h = 0; h < mesh.number_of_halfedges(); ++h)
-      if(sector_[h] < 0) add_sector(h);
-    seen_.assign(sectors_.size(), -1);
+    normals_.reserve(std::size_t(mesh_.number_of_faces()));
+    for(Index f = 0; f < mesh_.number_of_faces(); ++f)
+      normals_.push_back(normalized(mesh_.area_vector(f)));
   }
 
-  // For each vertex the largest |k1|, |k2| or |k1 + k2| of its sectors, each on the scale of the
-  // edges of length size(k) that it asks for.
-  template <typename Size>
-  std::vector<double> operator()(const Size& size, double error, double longer_edges)
+  // Takes up the folds about a vertex between feature edges; its half-edges there are `fan`.
+  void look_at_vertex(const std::vector<Index>& fan)
   {
-    std::vector<double> result(mesh_.points.size(), 0.);
-    for(Index s = 0; s < Index(sectors_.size()); ++s) {
-      double k = largest(sectors_[s]);
-      const double on_facets = at_one_fold(k, sectors_[s].area, error, longer_edges);
-      for(int step = 0; step < 2 && k > 0; ++step)
-        k = (std::min)(k, largest(average(s, size(k) / 3.14159265358979323846)));
-      k = (std::max)(k, on_facets);
-      double& all = result[mesh_.origin[sectors_[s].halfedge]];
-      all = (std::max)(all, k);
+    middle_ = mesh_.source(fan[0]);
+    angle_ = 0;
+    double area = 0;
+    std::vector<Index> faces;
+    for(Index g : fan) {
+      const Vec a = mesh_.target(g) - middle_, b = mesh_.source(mesh_.prev(g)) - middle_;
+      angle_ += std::atan2(norm(cross(a, b)), a * b);
+      area += norm(cross(a, b)) / 6;
+      faces.push_back(mesh_.face[g]);
     }
-    return result;
+    look_around(faces, area);
+  }
+
+  // Those about the middle of an edge that is no feature: at its ends a fold may be half over.
+  void look_at_edge(Index h)
+  {
+    const Index f = mesh_.face[h], g = mesh_.face[mesh_.opposite[h]];
+    middle_ = 0.5 * (mesh_.source(h) + mesh_.target(h));
+    angle_ = 2 * 3.14159265358979323846;
+    look_around({ f, g }, norm(mesh_.area_vector(f)) + norm(mesh_.area_vector(g)));
+  }
+
+  // The largest length that a line may have here.  Beyond it the curvature is that of this length.
+  double largest_length() const { return radius_ / share; }
+
+  // As seen by a line of length L.
+  Principal_curvatures operator()(double length) const
+  {
+    const double radius = (std::min)(share * length, radius_);
+    if(!(angle_ > 0) || folds_.empty() || !(radius > 0)) return {};
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for(const Fold& f : folds_) {
+      const double w = f.turn * weight(f, radius);
+      if(w == 0) continue;
+      const Eigen::Vector3d d(f.across.x(), f.across.y(), f.across.z());
+      sum += w * d * d.transpose();
+    }
+    return Principal_curvatures(sum * (6 / (angle_ * radius * radius)));
   }
 
 private:
-  // The faces about a vertex that no feature edge parts.
-  struct Sector
+  static constexpr double share = 3 / (2 * 3.14159265358979323846); // of the length
+  static constexpr double far = 3;                                  // mean sides of the triangles
+
+  // An edge, seen from the middle.
+  struct Fold
   {
-    Index halfedge = -1;
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Zero(); // integral of the shape operator
-    double area = 0;                                // over this
+    double turn;            // positive where the surface is convex
+    Vec across;             // in the surface, at right angles to the edge
+    double apart, from, to; // of its line from the middle, and its ends along that
   };
 
-  // Edges shorter than two of the mesh meet one fold, which turns by the curvature times the length
-  // d of an edge, and leave its facets by a quarter of their length times that.  As the curvature
-  // of which chord_error() makes that length; facets are not asked to be cut below d / 2.
-  static double at_one_fold(double k, double area, double error, double longer_edges)
+  void look_around(const std::vector<Index>& faces, double area)
   {
-    if(!(area > 0)) return 0;
-    constexpr double factor = 3.3; // of four, since edges are longer than the mean of their face
-    return (std::min)(8 * k * k * area / (factor * factor * longer_edges * error),
-                      32 * error / (longer_edges * area));
+    radius_ = far * std::sqrt(area);
+    while(!gather(faces)) radius_ /= 2;
   }
 
-  void add_sector(Index h)
+  // Integral of 1 - r / radius along the edge within the radius.
+  static double weight(const Fold& f, double radius)
   {
-    Sector s;
-    s.halfedge = h;
-    for(Index g : fan_of(mesh_, is_feature_, h)) {
-      sector_[g] = Index(sectors_.size());
-      const Index f = mesh_.face[g];
-      s.area += norm(areas_[f]) / double(mesh_.first[f + 1] - mesh_.first[f]);
-      if(!is_feature_[g]) add_turn(g, s.turn);
+    if(!(f.apart < radius)) return 0;
+    const double half = std::sqrt(radius * radius - f.apart * f.apart);
+    const double a = (std::max)(f.from, -half), b = (std::min)(f.to, half);
+    if(!(a < b)) return 0;
+    const auto integral = [&](double s) { // of r
+      const double r = std::hypot(s, f.apart);
+      return 0.5 * (s * r + (f.apart > 0 ? f.apart * f.apart * std::asinh(s / f.apart) : 0.));
+    };
+    return b - a - (integral(b) - integral(a)) / radius;
+  }
+
+  // The folds within the radius that can be reached over the surface; false if these are too many.
+  bool gather(const std::vector<Index>& middle_faces)
+  {
+    constexpr std::size_t most = 200; // faces
+    ++round_;
+    folds_.clear();
+    std::vector<Index> faces;
+    const auto reach = [&](Index f) {
+      if(reached_[f] == round_) return;
+      reached_[f] = round_;
+      faces.push_back(f);
+    };
+    for(Index f : middle_faces) reach(f);
+    const std::size_t first = faces.size();
+    for(std::size_t i = 0; i < faces.size(); ++i) {
+      if(faces.size() > most + first) return false;
+      for(Index h = mesh_.first[faces[i]]; h < mesh_.first[faces[i] + 1]; ++h) {
+        const Index o = mesh_.opposite[h];
+        if(is_feature_[h] || distance_to(h) >= radius_) continue;
+        if(h < o) add(h);
+        reach(mesh_.face[o]);
+      }
     }
-    sectors_.push_back(s);
+    return true;
   }
 
-  void add_turn(Index g, Eigen::Matrix3d& sum) const
+  double distance_to(Index h) const
   {
-    const Index f = mesh_.face[g], o = mesh_.face[mesh_.opposite[g]];
-    const Vec n = areas_[f], m = areas_[o];
-    const double angle = std::atan2(norm(cross(n, m)), n * m);
-    if(!(angle > 1e-9)) return;
-    const Vec apart = mesh_.centre(o) - mesh_.centre(f);
-    const double sign = (normalized(m) - normalized(n)) * apart > 0 ? 1 : -1;
-    const Vec edge = mesh_.target(g) - mesh_.source(g);
-    const Vec t = normalized(cross(normalized(n) + normalized(m), edge));
-    const Eigen::Vector3d d(t.x(), t.y(), t.z());
-    sum += 0.5 * sign * angle * norm(edge) * d * d.transpose();
+    const Vec a = mesh_.source(h) - middle_, e = mesh_.target(h) - mesh_.source(h);
+    const double t = e * e > 0 ? std::clamp(-(a * e) / (e * e), 0., 1.) : 0.;
+    return norm(a + t * e);
   }
 
-  static double largest(const Sector& s)
+  void add(Index h)
   {
-    if(!(s.area > 0)) return 0;
-    const Eigen::Matrix3d k = s.turn / s.area;
-    const Eigen::Vector3d values =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(k, Eigen::EigenvaluesOnly).eigenvalues();
-    return (std::max)(values.cwiseAbs().maxCoeff(), std::abs(k.trace()));
-  }
-
-  // Over the sectors that can be reached within the radius.  In a disc of radius h / pi a straight
-  // fold through the middle has the same mean curvature as the circle from which a chord of length
-  // h is as far.
-  Sector average(Index start, double radius)
-  {
-    constexpr std::size_t most = 64; // enough for a mean; a smaller disc errs to the safe side
-    const Vec middle = mesh_.source(sectors_[start].halfedge);
-    Sector sum;
-    std::vector<Index> reached = { start };
-    seen_[start] = start;
-    for(std::size_t i = 0; i < reached.size(); ++i) {
-      const Sector& s = sectors_[reached[i]];
-      sum.turn += s.turn;
-      sum.area += s.area;
-      for(Index g : fan_of(mesh_, is_feature_, s.halfedge))
-        for(Index h : { mesh_.next(g), mesh_.prev(g) }) {
-          const Index other = sector_[h];
-          if(reached.size() == most || seen_[other] == start ||
-             distance(mesh_.source(h), middle) > radius)
-            continue;
-          seen_[other] = start;
-          reached.push_back(other);
-        }
-    }
-    return sum;
+    const Vec &n = normals_[mesh_.face[h]], &m = normals_[mesh_.face[mesh_.opposite[h]]];
+    const Vec axis = cross(n, m), a = mesh_.source(h) - middle_;
+    const Vec edge = mesh_.target(h) - mesh_.source(h), along = normalized(edge);
+    const double turn = std::atan2(norm(axis), n * m);
+    if(!(turn > 1e-9)) return;
+    const double from = a * along;
+    // the ridge of a fold is off by the tangent of half its turn, up to a bound for sharp ones
+    const double off = 2 * std::tan((std::min)(turn, 2.6) / 2);
+    folds_.push_back({ axis * edge > 0 ? off : -off, normalized(cross(n + m, edge)),
+                       norm(a - from * along), from, from + norm(edge) });
   }
 
   const Face_arrays& mesh_;
   const std::vector<char>& is_feature_;
-  std::vector<Vec> areas_;
-  std::vector<Index> sector_; // of the origin of each half-edge
-  std::vector<Sector> sectors_;
-  std::vector<Index> seen_;
+  std::vector<Vec> normals_;
+  std::vector<Index> reached_; // by face: the last round that did
+  Index round_ = -1;
+  Vec middle_ = Vec(0, 0, 0);
+  double angle_ = 0, radius_ = 0; // about the middle
+  std::vector<Fold> folds_;
 };
 
 } // namespace internal

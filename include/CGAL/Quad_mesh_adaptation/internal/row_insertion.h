@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Chord.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_scope.h>
+#include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
@@ -103,7 +104,8 @@ private:
         if(m.opposite(g) >= 0) seen[m.opposite(g)] = 1;
       }
       const double width = steady_width(c);
-      if(width > 1 && width < nearly_twice && are_faces_too_large(c)) list.push_back({ width, h });
+      if(width > size_tolerance && width < nearly_twice && are_faces_too_large(c))
+        list.push_back({ width, h });
     }
     std::stable_sort(list.begin(), list.end(),
                      [](const Candidate& a, const Candidate& b) { return a.width > b.width; });
@@ -122,7 +124,7 @@ private:
       const double w = 2 * distance(u.p, v.p) / (u.h + v.h);
       sum += w;
       squares += w * w;
-      wide += w > 1;
+      wide += w > size_tolerance;
     }
     const double n = double(c.rungs.size()), mean = sum / n;
     if(wide < 0.9 * n) return 0;
@@ -134,7 +136,7 @@ private:
   {
     double sum = 0;
     for(Index f : c.faces) sum += s_.size_ratio(f);
-    return sum > double(c.faces.size());
+    return sum > size_tolerance * double(c.faces.size());
   }
 
   Adaptation_state& s_;

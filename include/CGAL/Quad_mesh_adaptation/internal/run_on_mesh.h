@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Positions.h>
+#include <CGAL/Quad_mesh_adaptation/internal/check_feature_angle.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
@@ -85,8 +86,8 @@ Feature_options decode_features(const NamedParameters& np)
   Feature_options features;
   features.feature_angle = parameters::choose_parameter(
       parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
-  if(!(features.feature_angle > 0))
-    throw Refused{ Refusal::invalid_parameter, "the feature angle must be positive", -1 };
+  const std::string complaint = check_feature_angle(features.feature_angle);
+  if(!complaint.empty()) throw Refused{ Refusal::invalid_parameter, complaint };
   return features;
 }
 

@@ -4,8 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_VERTEX_CURVATURES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_VERTEX_CURVATURES_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Feature_turns.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Fold_curvature.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Principal_curvatures.h>
 
 #include <Eigen/Dense>
 
@@ -17,13 +18,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// The curvature at a vertex, of whichever side of the feature curves there bends most.
-struct Vertex_curvature
-{
-  double largest = 0;   // of the two principal curvatures, without sign; curves count as well
-  double deviation = 0; // the largest of |k1|, |k2|, |k1 + k2|, curves as well
-};
 
 // Curvatures of the smooth surface that a polygon mesh stands for.  At a vertex the normals of the
 // faces around are fitted by a linear function of the faces' centres; its derivative is the shape
@@ -47,9 +41,9 @@ public:
     for(Index h = 0; h < mesh.number_of_halfedges(); ++h) is_feature_.push_back(turns(h));
   }
 
-  std::vector<Vertex_curvature> operator()()
+  std::vector<Principal_curvatures> operator()()
   {
-    std::vector<Vertex_curvature> result(mesh_.points.size());
+    std::vector<Principal_curvatures> result(mesh_.points.size());
     std::vector<Index> visited(std::size_t(mesh_.number_of_halfedges()), -1);
     Index sector = 0;
     for(Index h = 0; h < mesh_.number_of_halfedges(); ++h) {
@@ -96,7 +90,7 @@ private:
   }
 
   // The shape operator [a b; b c] from n = n0 + S x at the centres x, in the tangent plane.
-  Vertex_curvature fit(const Vec& p, std::vector<Index> faces, Index sector)
+  Principal_curvatures fit(const Vec& p, std::vector<Index> faces, Index sector)
   {
     Vec normal(0, 0, 0);
     for(Index f : faces) normal = normal + areas_[f] * normals_[f];
@@ -128,39 +122,25 @@ private:
     decomposition.compute(equations);
     const Eigen::VectorXd s = decomposition.solve(values) / radius;
     const double mean = 0.5 * (s[2] + s[4]), half = std::hypot(0.5 * (s[2] - s[4]), s[3]);
-    return { std::abs(mean) + half, (std::max)(std::abs(mean) + half, 2 * std::abs(mean)) };
+    return { mean + half, mean - half };
   }
 
-  static void add(const Vertex_curvature& c, Vertex_curvature& sum)
+  // Of whichever side of the feature curves bends most.
+  static void add(const Principal_curvatures& c, Principal_curvatures& sum)
   {
     sum.largest = (std::max)(sum.largest, c.largest);
-    sum.deviation = (std::max)(sum.deviation, c.deviation);
+    sum.other = (std::max)(sum.other, c.other);
   }
 
-  // Curvature of the feature curves: of the circle through a node and its two neighbours; an end of
-  // a curve has that of the node next to it.
-  void add_curves(std::vector<Vertex_curvature>& result) const
+  // Curvature of the feature curves; an end of a curve has that of the node next to it.
+  void add_curves(std::vector<Principal_curvatures>& result) const
   {
-    std::vector<std::vector<Index>> neighbours(mesh_.points.size());
-    for(Index h = 0; h < mesh_.number_of_halfedges(); ++h) {
-      if(!is_feature_[h] || mesh_.opposite[h] > h) continue;
-      const Index a = mesh_.origin[h], b = mesh_.origin[mesh_.next(h)];
-      neighbours[a].push_back(b);
-      neighbours[b].push_back(a);
-    }
-    const auto curvature = [&](Index v) {
-      if(neighbours[v].size() != 2) return 0.;
-      const Vec &a = mesh_.points[neighbours[v][0]], &c = mesh_.points[neighbours[v][1]];
-      const Vec in = mesh_.points[v] - a, out = c - mesh_.points[v];
-      const double product = norm(in) * norm(out), chord = distance(a, c);
-      if(!(in * out > cos_feature_ * product) || !(chord > 0)) return 0.; // a corner
-      return 2 * norm(cross(in, out)) / (product * chord);
-    };
-    for(Index v = 0; v < Index(neighbours.size()); ++v) {
-      double k = curvature(v);
+    const Feature_turns turns(mesh_, is_feature_, cos_feature_);
+    for(Index v = 0; v < Index(result.size()); ++v) {
+      double k = turns.curvature(v);
       if(k == 0)
-        for(Index w : neighbours[v]) k = (std::max)(k, curvature(w));
-      add({ k, k }, result[v]);
+        for(Index w : turns.neighbours(v)) k = (std::max)(k, turns.curvature(w));
+      add({ k, 0 }, result[v]);
     }
   }
 
