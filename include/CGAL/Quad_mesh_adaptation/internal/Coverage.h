@@ -71,6 +71,7 @@ public:
       if(size.scale() < 2 && scale_ > 0) bends_ = std::vector<Bend>();
       scale_ = size.scale();
       assigned_ = false;
+      forget_rest();
     }
     if(!assigned_) assign(m, reference_patch);
     assigned_ = true;
@@ -120,6 +121,31 @@ public:
     first_.swap(first);
   }
 
+  // Only the given faces are there for a while, by their places in the list; witnesses on the
+  // others wait.
+  void leave_to(const std::vector<Index>& faces)
+  {
+    if(!assigned_) return;
+    of_rest_ = first_;
+    renumber(faces);
+    for(Index f : faces)
+      if(f < Index(of_rest_.size())) of_rest_[f] = -1;
+    waits_.assign(witnesses_.size(), 1);
+    for(Index first : first_)
+      for(Index w = first; w >= 0; w = witnesses_[w].next) waits_[w] = 0;
+  }
+
+  // All are there again, those of the list by their numbers in it, or -1 where they are gone.
+  void take_back(const std::vector<Index>& faces, Index face_end)
+  {
+    if(!assigned_ || of_rest_.empty()) return lose();
+    of_rest_.resize(face_end, -1);
+    for(std::size_t i = 0; i < faces.size() && i < first_.size(); ++i)
+      if(faces[i] >= 0) of_rest_[faces[i]] = first_[i];
+    first_ = std::move(of_rest_);
+    forget_rest();
+  }
+
   // For so many faces.
   void fit(Index faces)
   {
@@ -130,6 +156,12 @@ public:
 
 private:
   explicit Coverage(double bound) : bound_(bound) {}
+
+  void forget_rest()
+  {
+    of_rest_ = std::vector<Index>();
+    waits_ = std::vector<char>();
+  }
 
   void assign(const Quad_complex& m, const std::vector<Index>& reference_patch)
   {
@@ -149,6 +181,7 @@ private:
       return k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
     };
     for(Index w = 0; w < Index(witnesses_.size()); ++w) {
+      if(!waits_.empty() && waits_[w]) continue;
       const auto fits = [&](Index t) {
         const Index f = face_of[t / 2], patch = patch_of(f);
         if(patch >= 0 && patch != witnesses_[w].patch) return false;
@@ -170,7 +203,9 @@ private:
   double scale_ = 0;        // of the sizes that the witnesses are for
   std::vector<Bend> bends_; // of the surface, by vertex
   std::vector<Witness> witnesses_;
-  std::vector<Index> first_; // of each face
+  std::vector<Index> first_;   // of each face
+  std::vector<Index> of_rest_; // the same while only a part of the faces is there
+  std::vector<char> waits_;    // is a witness on none of these?
   bool assigned_ = false, is_off_ = false;
 };
 

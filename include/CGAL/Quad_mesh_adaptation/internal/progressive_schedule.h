@@ -15,6 +15,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 #include <CGAL/Quad_mesh_adaptation/internal/trial_halving.h>
+#include <CGAL/Quad_mesh_adaptation/internal/work_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
@@ -264,17 +265,28 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
                                  const Schedule_ingredients& use = {})
 {
   s.prepare_coverage();
-  const bool adapted = is_adapted(s);
+  std::vector<Index> work = faces_to_work_on(s);
+  const bool adapted = work.empty() && !is_too_fine(s);
   if(adapted && !(use.coarsening && may_spare_rows(s))) return;
-  Good_mesh_keeper input(s);
+  if(!is_local(s, work)) work.clear();
+  std::optional<Work_part> part;
+  Schedule_ingredients use_here = use;
+  if(!work.empty() && s.mesh.number_of_faces() > without_detours &&
+     Work_part::is_separable(s, work)) {
+    part.emplace(s, work);
+    work = part->work();
+    use_here.coarsening = use.coarsening && are_many_too_small(s, work);
+  }
+  Good_mesh_keeper input(s, work);
   if(adapted && spare_rows(s) == 0) return;
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   if(use.last_resorts)
-    run_several_ways(s, clean, max_iterations, use);
+    run_several_ways(s, clean, max_iterations, use_here);
   else
-    run_progressively(s, clean, max_iterations, use);
+    run_progressively(s, clean, max_iterations, use_here);
   input.restore_unless_better();
+  if(part) part->put_back();
   s.region.clear();
   s.progress = 1;
 }
