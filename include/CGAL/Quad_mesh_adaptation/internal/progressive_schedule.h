@@ -40,6 +40,10 @@ struct Schedule_ingredients
   bool local_operations = true;  // clean-up between levels, annealing and polishing
   bool annealing = true;
   bool last_resorts = true; // enforcement of sizes, mending of shapes
+
+  double tolerance = 2.5;                      // of the first round of annealing
+  int annealing_rounds = 10;                   // see anneal()
+  int polishing_rounds = 5, gentle_rounds = 2; // see polish()
 };
 
 // Approaches the sizes from below: halve what is too long, everywhere once, then clean up and
@@ -124,8 +128,8 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
   // where halving has gone too far by the same everywhere, single rows can go again
   if(use.coarsening) spare_rows(s);
   s.progress = 0.5;
-  if(use.local_operations && use.annealing) anneal(s, clean, 2.5, 10);
-  if(use.local_operations) polish(s, clean, 5, 2);
+  if(use.local_operations && use.annealing) anneal(s, clean, use.tolerance, use.annealing_rounds);
+  if(use.local_operations) polish(s, clean, use.polishing_rounds, use.gentle_rounds);
 }
 
 // Has a mesh that will be halved about as many faces as its sizes ask for?
@@ -260,6 +264,16 @@ inline void run_several_ways(Adaptation_state& s, const Improvement_options& cle
   run_other_way(s, clean, max_iterations, other, given);
 }
 
+// For a part of a large mesh: most of it is halved, and what is not has been adapted before.
+inline Schedule_ingredients made_light(Schedule_ingredients use)
+{
+  use.tolerance = 1.25;
+  use.annealing_rounds = 5;
+  use.polishing_rounds = 1;
+  use.gentle_rounds = 0;
+  return use;
+}
+
 // The default schedule.
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
                                  const Schedule_ingredients& use = {})
@@ -275,16 +289,20 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
      Work_part::is_separable(s, work)) {
     part.emplace(s, work);
     work = part->work();
+    use_here = made_light(use);
     use_here.coarsening = use.coarsening && are_many_too_small(s, work);
   }
   Good_mesh_keeper input(s, work);
   if(adapted && spare_rows(s) == 0) return;
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
+  const double fine = s.smoothing.wake;
+  if(part) s.smoothing.wake = (std::max)(fine, 0.01);
   if(use.last_resorts)
     run_several_ways(s, clean, max_iterations, use_here);
   else
     run_progressively(s, clean, max_iterations, use_here);
+  s.smoothing.wake = fine;
   input.restore_unless_better();
   if(part) part->put_back();
   s.region.clear();

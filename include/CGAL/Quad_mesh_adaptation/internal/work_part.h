@@ -25,8 +25,7 @@ public:
   Part_choice(const Quad_complex& m, const std::vector<Index>& work, int rings)
       : m_(m), near_(nodes_around(m, work, rings))
   {
-    do
-      list_faces();
+    do list_faces();
     while(mend_fans());
   }
 

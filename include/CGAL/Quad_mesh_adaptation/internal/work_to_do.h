@@ -135,8 +135,8 @@ inline bool is_local(const Adaptation_state& s, const std::vector<Index>& work)
 inline bool are_many_too_small(const Adaptation_state& s, const std::vector<Index>& work)
 {
   constexpr double small = 0.7, few = 0.3;
-  const auto below = std::count_if(work.begin(), work.end(),
-                                   [&](Index f) { return s.size_ratio(f) < small; });
+  const auto below =
+      std::count_if(work.begin(), work.end(), [&](Index f) { return s.size_ratio(f) < small; });
   return double(below) > few * double(work.size());
 }
 
