@@ -17,26 +17,25 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// The faces of a mesh, each cut in two, as a surface to look for nearest points on.
+// The faces of a mesh, or those of them that are marked, each cut in two, as a surface to look for
+// nearest points on.
 class Mesh_triangles
 {
 public:
-  explicit Mesh_triangles(const Quad_complex& m) : m_(m)
+  explicit Mesh_triangles(const Quad_complex& m, const std::vector<char>* marked = nullptr) : m_(m)
   {
+    const auto is_wanted = [&](Index f) { return m.is_face(f) && (!marked || (*marked)[f]); };
+    std::size_t wanted = 0;
+    for(Index f = 0; f < m.face_end(); ++f) wanted += is_wanted(f);
     soup_.points.reserve(m.vertex_end());
-    soup_.triangles.reserve(2 * std::size_t(m.number_of_faces()));
-    face_of_.reserve(m.number_of_faces());
+    soup_.triangles.reserve(2 * wanted);
+    face_of_.reserve(wanted);
     for(Index v = 0; v < m.vertex_end(); ++v) soup_.points.push_back(m.point(v));
     for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+      if(!is_wanted(f)) continue;
       append_quad(soup_, m.quad(f));
       face_of_.push_back(f);
     }
-  }
-
-  bool are_those_of(const Reference_surface& surface) const
-  {
-    return soup_.triangles == surface.triangles() && soup_.points == surface.points();
   }
 
   // Of each pair of triangles.
@@ -66,7 +65,7 @@ private:
       across[2 * k + 1][0] = Index(2 * k);
       for(Index i = 0; i < 4; ++i) {
         const Index o = m_.opposite(4 * f + ((i + turned) & 3));
-        if(o < 0 || (is_parted && m_.curve(o) >= 0)) continue;
+        if(o < 0 || (is_parted && m_.curve(o) >= 0) || first_side[m_.face(o)] < 0) continue;
         const Index there = first_side[m_.face(o)], j = ((o & 3) - (there & 3)) & 3;
         across[2 * k + std::size_t(i / 2)][i - i / 2] = 2 * (there / 4) + j / 2;
       }

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_COMPLEX_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_COMPLEX_H
+
+#include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Parts of the mesh that are linked by edges.
+inline std::size_t number_of_components(const Quad_complex& m)
+{
+  std::size_t n = 0;
+  std::vector<char> seen(m.face_end(), 0);
+  std::vector<Index> todo;
+  const auto reach = [&](Index f) {
+    if(seen[f]) return;
+    seen[f] = 1;
+    todo.push_back(f);
+  };
+  for(Index first = 0; first < m.face_end(); ++first) {
+    if(seen[first] || !m.is_face(first)) continue;
+    ++n;
+    reach(first);
+    while(!todo.empty()) {
+      const Index f = todo.back();
+      todo.pop_back();
+      for(Index h = 4 * f; h < 4 * f + 4; ++h)
+        if(m.opposite(h) >= 0) reach(m.face(m.opposite(h)));
+    }
+  }
+  return n;
+}
+
+// Closed ways along the border.
+inline std::size_t number_of_border_loops(const Quad_complex& m)
+{
+  std::size_t n = 0;
+  std::vector<char> seen(m.vertex_end(), 0);
+  for(Index v = 0; v < m.vertex_end(); ++v) {
+    if(seen[v] || !m.is_vertex(v) || !m.is_border_vertex(v)) continue;
+    ++n;
+    for(Index u = v; !seen[u]; u = m.target(m.vertex(u).halfedge)) seen[u] = 1;
+  }
+  return n;
+}
+
+// Counts and valences, as measure_topology() finds them without links.
+inline void measure_topology(const Quad_complex& c, Mesh_measures& m)
+{
+  std::vector<std::size_t> inside; // vertices by valence
+  for(Index v = 0; v < c.vertex_end(); ++v) {
+    if(!c.is_vertex(v)) continue;
+    ++m.vertices;
+    const std::size_t valence = std::size_t(c.valence(v));
+    m.max_valence = (std::max)(m.max_valence, valence);
+    if(c.is_border_vertex(v)) {
+      ++m.boundary_edges; // the one that starts here
+      continue;
+    }
+    ++m.interior_vertices;
+    if(valence >= inside.size()) inside.resize(valence + 1, 0);
+    ++inside[valence];
+    if(valence != 4) ++m.irregular_interior_vertices;
+  }
+  for(std::size_t k = 0; k < inside.size(); ++k)
+    if(inside[k] > 0) m.interior_valence[k] = inside[k];
+  m.faces = std::size_t(c.number_of_faces());
+  m.edges = (4 * m.faces + m.boundary_edges) / 2;
+  m.euler_characteristic = long(m.vertices) - long(m.edges) + long(m.faces);
+  m.components = number_of_components(c);
+  m.boundary_loops = number_of_border_loops(c);
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_COMPLEX_H
