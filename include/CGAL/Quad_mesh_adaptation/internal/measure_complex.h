@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_topology.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,25 +19,11 @@ namespace internal {
 // Parts of the mesh that are linked by edges.
 inline std::size_t number_of_components(const Quad_complex& m)
 {
+  Vertex_sets sets(std::size_t(m.face_end()));
+  for(Index h = 0; h < 4 * m.face_end(); ++h)
+    if(m.is_face(m.face(h)) && m.opposite(h) > h) sets.unite(m.face(h), m.face(m.opposite(h)));
   std::size_t n = 0;
-  std::vector<char> seen(m.face_end(), 0);
-  std::vector<Index> todo;
-  const auto reach = [&](Index f) {
-    if(seen[f]) return;
-    seen[f] = 1;
-    todo.push_back(f);
-  };
-  for(Index first = 0; first < m.face_end(); ++first) {
-    if(seen[first] || !m.is_face(first)) continue;
-    ++n;
-    reach(first);
-    while(!todo.empty()) {
-      const Index f = todo.back();
-      todo.pop_back();
-      for(Index h = 4 * f; h < 4 * f + 4; ++h)
-        if(m.opposite(h) >= 0) reach(m.face(m.opposite(h)));
-    }
-  }
+  for(Index f = 0; f < m.face_end(); ++f) n += m.is_face(f) && sets.find(f) == f;
   return n;
 }
 
