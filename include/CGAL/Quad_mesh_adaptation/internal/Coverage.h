@@ -59,6 +59,8 @@ public:
   }
   // Faces are others.
   void lose() { assigned_ = false; }
+  // Where the sizes will stay: bends take as much memory as the surface.
+  void forget_bends() { bends_ = std::vector<Bend>(); }
 
   void prepare(const Quad_complex& m, const Reference_surface& surface, const Size_sampler& size,
                const std::vector<Index>& reference_patch)
@@ -67,13 +69,12 @@ public:
     if(scale_ != size.scale()) {
       if(bends_.empty()) bends_ = bends_of(surface, size);
       witnesses_ = choose_witnesses(surface, bends_, size.scale(), bound_);
-      // these sizes stay mostly, and bends take as much memory as the surface
-      if(size.scale() < 2 && scale_ > 0) bends_ = std::vector<Bend>();
+      if(size.scale() < 2 && scale_ > 0) forget_bends(); // as they do mostly then
       scale_ = size.scale();
       assigned_ = false;
       forget_rest();
     }
-    if(!assigned_) assign(m, reference_patch);
+    if(!assigned_) assign(m, surface, reference_patch);
     assigned_ = true;
   }
 
@@ -163,10 +164,27 @@ private:
     waits_ = std::vector<char>();
   }
 
-  void assign(const Quad_complex& m, const std::vector<Index>& reference_patch)
+  // Where a face is the one that the witness was found on no other is looked for.
+  void assign(const Quad_complex& m, const Reference_surface& surface,
+              const std::vector<Index>& reference_patch)
   {
     first_.assign(m.face_end(), -1);
-    if(witnesses_.empty()) return;
+    std::vector<Index> lost;
+    for(Index w = 0; w < Index(witnesses_.size()); ++w) {
+      if(!waits_.empty() && waits_[w]) continue;
+      const Index f = witnesses_[w].triangle / 2;
+      if(f < m.face_end() && m.is_face(f) && surface.has_halves_of(f, corners(m, f)))
+        give(w, m, f);
+      else
+        lost.push_back(w);
+    }
+    if(!lost.empty()) find_faces(lost, m, reference_patch);
+  }
+
+  // Each goes to the nearest face on its patch that is not turned away.
+  void find_faces(const std::vector<Index>& witnesses, const Quad_complex& m,
+                  const std::vector<Index>& reference_patch)
+  {
     std::vector<Index> face_of;
     face_of.reserve(m.number_of_faces());
     for(Index f = 0; f < m.face_end(); ++f)
@@ -180,8 +198,7 @@ private:
       const Index k = m.patch(f);
       return k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
     };
-    for(Index w = 0; w < Index(witnesses_.size()); ++w) {
-      if(!waits_.empty() && waits_[w]) continue;
+    for(Index w : witnesses) {
       const auto fits = [&](Index t) {
         const Index f = face_of[t / 2], patch = patch_of(f);
         if(patch >= 0 && patch != witnesses_[w].patch) return false;
@@ -191,12 +208,19 @@ private:
         return !(normal * witnesses_[w].normal < Witness::turned_away);
       };
       const Index t = tree.nearest(witnesses_[w].p, corners_of, fits, 1e150).triangle;
-      if(t < 0) continue;
-      const Index f = face_of[t / 2];
-      const Quad q = m.quad(f);
-      const Corners p = { m.point(q[0]), m.point(q[1]), m.point(q[2]), m.point(q[3]) };
-      give(w, f, witnesses_[w].cost_at(witnesses_[w].distance_to(p)));
+      if(t >= 0) give(w, m, face_of[t / 2]);
     }
+  }
+
+  static Corners corners(const Quad_complex& m, Index f)
+  {
+    const Quad q = m.quad(f);
+    return { m.point(q[0]), m.point(q[1]), m.point(q[2]), m.point(q[3]) };
+  }
+
+  void give(Index w, const Quad_complex& m, Index f)
+  {
+    give(w, f, witnesses_[w].cost_at(witnesses_[w].distance_to(corners(m, f))));
   }
 
   double bound_ = (std::numeric_limits<double>::infinity)();

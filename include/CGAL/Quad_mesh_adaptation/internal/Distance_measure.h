@@ -94,7 +94,7 @@ private:
   bool is_near_own_triangles(Index f, const Corners& p)
   {
     const double bound = 0.25 * norm(p[0] - p[1] + p[2] - p[3]);
-    if(bound > (is_careful_ ? care_ : to_reference_.threshold()) || !has_own_triangles(s_, f, p))
+    if(bound > (is_careful_ ? care_ : to_reference_.threshold()) || !s_.surface.has_halves_of(f, p))
       return false;
     if(is_careful_) note(f, bound, to_reference_);
     return true;

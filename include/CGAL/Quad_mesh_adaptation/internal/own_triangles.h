@@ -8,34 +8,18 @@
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Are two triangles of the surface the halves of face f with corners p, as they are of an input
-// that is its own reference?
-inline bool has_own_triangles(const Adaptation_state& s, Index f, const Corners& p)
-{
-  const auto& all = s.surface.triangles();
-  if(s.surface.has_lift() || 2 * std::size_t(f) + 1 >= all.size()) return false;
-  const std::array<Index, 3>&a = all[2 * f], &b = all[2 * f + 1];
-  const std::vector<Vec>& at = s.surface.points();
-  if(a[0] != b[0] || a[2] != b[1]) return false;
-  const int i = at[a[0]] == p[0] ? 0 : 1;
-  return at[a[0]] == p[i] && at[a[1]] == p[i + 1] && at[a[2]] == p[i + 2] &&
-         at[b[2]] == p[(i + 3) & 3];
-}
-
-// For each face whether it has such triangles.
+// For each face whether two triangles of the surface are its halves.
 inline std::vector<char> faces_with_own_triangles(const Adaptation_state& s)
 {
   std::vector<char> own(s.mesh.face_end(), 0);
   for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) own[f] = has_own_triangles(s, f, s.corners(f));
+    if(s.mesh.is_face(f)) own[f] = s.surface.has_halves_of(f, s.corners(f));
   return own;
 }
 

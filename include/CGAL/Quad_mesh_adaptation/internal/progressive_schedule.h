@@ -196,6 +196,7 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
     descend_one_octave(s, clean, last - s.iterations - std::size_t(left), use);
   }
   s.progress = 0.9;
+  s.surface.forget_tree(); // coarse faces ask it, fine ones hardly ever
   if(Curve_bends(s).fit() > 0 && use.local_operations) polish(s, clean, 1, 0);
   if(use.last_resorts) {
     enforce_sizes_and_shapes(s, clean);
@@ -282,7 +283,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   std::vector<Index> work = faces_to_work_on(s);
   const bool adapted = work.empty() && !is_too_fine(s);
   if(adapted && !(use.coarsening && may_spare_rows(s))) return;
-  if(!is_local(s, work)) work.clear();
+  if(!is_local(s, work)) work = std::vector<Index>();
   std::optional<Work_part> part;
   Schedule_ingredients use_here = use;
   if(!work.empty() && s.mesh.number_of_faces() > without_detours &&
