@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Schedule_ingredients.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
 #include <CGAL/Quad_mesh_adaptation/internal/detours.h>
@@ -26,25 +27,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// The ingredients of the default schedule; the benchmark switches them off one by one, to show what
-// each is worth.
-struct Schedule_ingredients
-{
-  bool coarsening = true;        // before refinement, with relaxed valences
-  bool edge_marking = true;      // else faces too large are cut in four
-  bool octaves = true;           // first a mesh for sizes larger by powers of two
-  bool trial_halving = true;     // of such a mesh, to see whether it lies well on the surface then
-  bool progressive_sizes = true; // floors where the mesh is too coarse yet
-  bool size_aware = true;        // smoothing knows the size
-  bool local_operations = true;  // clean-up between levels, annealing and polishing
-  bool annealing = true;
-  bool last_resorts = true; // enforcement of sizes, mending of shapes
-
-  double tolerance = 2.5;                      // of the first round of annealing
-  int annealing_rounds = 10;                   // see anneal()
-  int polishing_rounds = 5, gentle_rounds = 2; // see polish()
-};
 
 // Approaches the sizes from below: halve what is too long, everywhere once, then clean up and
 // smooth against the size reached so far.  No place is ever grossly under-resolved while
@@ -265,14 +247,13 @@ inline void run_several_ways(Adaptation_state& s, const Improvement_options& cle
   run_other_way(s, clean, max_iterations, other, given);
 }
 
-// For a part of a large mesh: most of it is halved, and what is not has been adapted before.
-inline Schedule_ingredients made_light(Schedule_ingredients use)
+// Where a large mesh has few faces to work on, and these can be.
+inline void take_part_out(Adaptation_state& s, const std::vector<Index>& work,
+                          std::optional<Work_part>& part)
 {
-  use.tolerance = 1.25;
-  use.annealing_rounds = 5;
-  use.polishing_rounds = 1;
-  use.gentle_rounds = 0;
-  return use;
+  if(work.empty() || s.mesh.number_of_faces() <= without_detours) return;
+  const Part_choice choice(s.mesh, work);
+  if(choice.is_separable(s)) part.emplace(s, work, choice);
 }
 
 // The default schedule.
@@ -285,10 +266,9 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(adapted && !(use.coarsening && may_spare_rows(s))) return;
   if(!is_local(s, work)) work = std::vector<Index>();
   std::optional<Work_part> part;
+  take_part_out(s, work, part);
   Schedule_ingredients use_here = use;
-  if(!work.empty() && s.mesh.number_of_faces() > without_detours &&
-     Work_part::is_separable(s, work)) {
-    part.emplace(s, work);
+  if(part) {
     work = part->work();
     use_here = made_light(use);
     use_here.coarsening = use.coarsening && are_many_too_small(s, work);

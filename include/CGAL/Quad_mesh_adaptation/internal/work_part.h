@@ -22,24 +22,42 @@ namespace internal {
 class Part_choice
 {
 public:
-  Part_choice(const Quad_complex& m, const std::vector<Index>& work, int rings)
-      : m_(m), near_(nodes_around(m, work, rings))
+  Part_choice(const Quad_complex& m, const std::vector<Index>& work)
+      : near_(nodes_around(m, work, rings_to_work_on + margin))
   {
-    do list_faces();
-    while(mend_fans());
+    do {
+      list_faces(m);
+    } while(mend_fans(m));
   }
 
-  std::vector<Index>& faces() { return faces_; }
+  const std::vector<Index>& faces() const { return faces_; }
   bool has(Index f) const { return inside_[f]; }
 
+  // May they be taken out, and is that worth while?  Curves that are looked at from end to end must
+  // stay whole: closed ones and those with bends.
+  bool is_separable(const Adaptation_state& s) const
+  {
+    if(2 * faces_.size() > std::size_t(s.mesh.number_of_faces())) return false;
+    std::vector<char> is_simple;
+    for(const Feature_curve& c : s.curves)
+      is_simple.push_back(!c.is_closed() && (c.is_frozen() || bends_of(c).empty()));
+    return std::all_of(faces_.begin(), faces_.end(), [&](Index f) {
+      for(Index h = 4 * f; h < 4 * f + 4; ++h)
+        if(s.mesh.curve(h) >= 0 && !is_simple[s.mesh.curve(h)]) return false;
+      return true;
+    });
+  }
+
 private:
-  void list_faces()
+  static constexpr int margin = 5; // rings: operations and moves look at three
+
+  void list_faces(const Quad_complex& m)
   {
     faces_.clear();
-    inside_.assign(m_.face_end(), 0);
-    for(Index f = 0; f < m_.face_end(); ++f) {
-      if(!m_.is_face(f)) continue;
-      const Quad q = m_.quad(f);
+    inside_.assign(m.face_end(), 0);
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      const Quad q = m.quad(f);
       if(!std::any_of(q.begin(), q.end(), [&](Index v) { return near_[v]; })) continue;
       inside_[f] = 1;
       faces_.push_back(f);
@@ -47,32 +65,31 @@ private:
   }
 
   // Where a node joins two fans of the part all its faces belong to it; is there such a node?
-  bool mend_fans()
+  bool mend_fans(const Quad_complex& m)
   {
     bool found = false;
     for(Index f : faces_)
-      for(Index v : m_.quad(f))
-        if(!near_[v] && number_of_fans(v) > 1) {
+      for(Index v : m.quad(f))
+        if(!near_[v] && number_of_fans(m, v) > 1) {
           near_[v] = 1;
           found = true;
         }
     return found;
   }
 
-  int number_of_fans(Index v) const
+  int number_of_fans(const Quad_complex& m, Index v) const
   {
-    const Index start = m_.vertex(v).halfedge;
-    int starts = m_.is_border(start) && has(m_.face(start)) ? 1 : 0;
+    const Index start = m.vertex(v).halfedge;
+    int starts = m.is_border(start) && has(m.face(start)) ? 1 : 0;
     Index h = start;
     do {
-      const Index next = m_.turn_left(h);
-      if(next >= 0 && has(m_.face(next)) && !has(m_.face(h))) ++starts;
+      const Index next = m.turn_left(h);
+      if(next >= 0 && has(m.face(next)) && !has(m.face(h))) ++starts;
       h = next;
     } while(h >= 0 && h != start);
     return starts;
   }
 
-  const Quad_complex& m_;
   std::vector<char> near_, inside_; // by node, by face
   std::vector<Index> faces_;
 };
@@ -83,14 +100,12 @@ private:
 class Work_part
 {
 public:
-  // Preconditions: stay_near_work() would say that the work is local; is_separable().
-  Work_part(Adaptation_state& s, const std::vector<Index>& work) : s_(s)
+  // Precondition: the choice is separable.
+  Work_part(Adaptation_state& s, const std::vector<Index>& work, const Part_choice& choice)
+      : s_(s), face_(choice.faces())
   {
     const std::vector<char> region = nodes_around(s.mesh, work, rings_to_work_on);
-    Part_choice choice(s.mesh, work, rings_to_work_on + margin);
-    face_.swap(choice.faces());
-    whole_ = std::move(s.mesh);
-    s.mesh = Quad_complex();
+    whole_ = std::exchange(s.mesh, Quad_complex());
     s.curves.push_back(Feature_curve({}, false, false, true)); // the edges to the rest
     copy_part(choice, region);
     for(Index f : work)
@@ -101,22 +116,6 @@ public:
 
   Work_part(const Work_part&) = delete;
   Work_part& operator=(const Work_part&) = delete;
-
-  // Curves that are looked at from end to end must stay whole: closed ones and those with bends.
-  static bool is_separable(const Adaptation_state& s, const std::vector<Index>& work)
-  {
-    std::vector<char> is_simple;
-    for(const Feature_curve& c : s.curves)
-      is_simple.push_back(!c.is_closed() && (c.is_frozen() || bends_of(c).empty()));
-    if(std::find(is_simple.begin(), is_simple.end(), 0) == is_simple.end()) return true;
-    const std::vector<Index> faces =
-        std::move(Part_choice(s.mesh, work, rings_to_work_on + margin).faces());
-    return std::all_of(faces.begin(), faces.end(), [&](Index f) {
-      for(Index h = 4 * f; h < 4 * f + 4; ++h)
-        if(s.mesh.curve(h) >= 0 && !is_simple[s.mesh.curve(h)]) return false;
-      return true;
-    });
-  }
 
   // The faces to work on by their numbers in the part.
   const std::vector<Index>& work() const { return work_; }
@@ -139,8 +138,6 @@ public:
   }
 
 private:
-  static constexpr int margin = 5; // rings: operations and moves look at three
-
   void copy_part(const Part_choice& choice, const std::vector<char>& region)
   {
     Quad_complex& m = s_.mesh;
