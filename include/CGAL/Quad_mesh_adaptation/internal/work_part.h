@@ -129,6 +129,7 @@ public:
     write_faces();
     write_nodes();
     s_.mesh = std::move(whole_);
+    give_corners_back();
     s_.curves.pop_back();
     s_.end_phase = std::move(end_phase_);
     give_values();
@@ -156,6 +157,7 @@ private:
       const Quad q = whole_.quad(f);
       m.add_face({ node[q[0]], node[q[1]], node[q[2]], node[q[3]] }, whole_.patch(f));
     }
+    rename_corners(node);
     outside_.assign(node_.size(), -1);
     for(Index h = 0; h < 4 * m.face_end(); ++h) link(choice, face, h);
     for(Index h = 0; h < 4 * m.face_end(); ++h) m.refresh_vertex(m.origin(h), h);
@@ -175,6 +177,29 @@ private:
       outside_[m.origin(h)] = o;
       hold(m.vertex(m.origin(h)));
       hold(m.vertex(m.target(h)));
+    }
+  }
+
+  // The ends of curves by their numbers in the part; others than all of these where they are not in
+  // it.
+  void rename_corners(const std::vector<Index>& node)
+  {
+    const auto rename = [&](Index& corner) {
+      corners_.push_back(corner);
+      if(corner >= 0) corner = node[corner] >= 0 ? node[corner] : -2 - corner;
+    };
+    for(Feature_curve& c : s_.curves) {
+      rename(c.first_corner);
+      rename(c.last_corner);
+    }
+  }
+
+  void give_corners_back()
+  {
+    auto corner = corners_.begin();
+    for(Feature_curve& c : s_.curves) {
+      c.first_corner = *corner++;
+      c.last_corner = *corner++;
     }
   }
 
@@ -277,8 +302,8 @@ private:
 
   Adaptation_state& s_;
   Quad_complex whole_, part_;
-  std::vector<Index> face_, node_; // of the part: their numbers in the whole
-  std::vector<Index> work_;
+  std::vector<Index> face_, node_;    // of the part: their numbers in the whole
+  std::vector<Index> work_, corners_; // corners_: two of each curve, in the whole
   std::vector<Index> outside_; // by node of the part: the half-edge of the rest that leads to it
   Face_values<double> ratios_; // of the whole
   std::function<void(const char*, std::size_t)> end_phase_;
