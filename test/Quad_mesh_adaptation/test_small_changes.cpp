@@ -9,6 +9,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/adapt_quad_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
 
@@ -106,6 +107,44 @@ TEST(SmallChange, StaysLocal)
     // question
     EXPECT_NEAR(made / wanted, 1, 0.35) << "factor " << factor;
   }
+}
+
+// The part of a large mesh that is taken out for the time of the work comes back whole, also at the
+// border, at corners and where two places change.
+TEST(SmallChange, InALargeMesh)
+{
+  const auto fine = [](const Point& p) { return 0.065 + 0.001 * p.x(); };
+  Mesh before = zoo_mesh::make<Mesh, Point>(shape_zoo::plate(140, 140));
+  for(auto v : before.vertices()) {
+    const Point& p = before.point(v);
+    before.point(v) = Point(p.x() / 14, p.y() / 14, p.z());
+  }
+  QMA::adapt_quad_mesh(fine, before, QMA::symmetry(false));
+  ASSERT_GT(before.number_of_faces(), 10000u);
+  for(double factor : { 0.5, 2. })
+    for(const Point& where : { Point(4, 5, 0), Point(10, 4, 0), Point(0, 10, 0) }) {
+      SCOPED_TRACE("factor " + std::to_string(factor) + " at x = " + std::to_string(where.x()));
+      Mesh mesh = before;
+      const Change change{ where, factor }, other{ Point(7, 7, 0), 0.7 };
+      const auto size = [&](const Point& p) { return fine(p) * change(p) * other(p); };
+      const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::symmetry(false));
+      EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+      EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
+      EXPECT_GE(r.after.efficiency, 0.85);
+      EXPECT_GE(r.after.min_scaled_jacobian, 0.4);
+      EXPECT_LE(r.after.max_valence, 5u);
+      EXPECT_EQ(r.after.euler_characteristic, 1);
+      EXPECT_EQ(r.after.boundary_loops, 1u);
+      EXPECT_LT(r.after.max_distance_to_reference, 1e-12);
+      expect_measures(QMA::measure_quad_mesh(mesh, size), r.after);
+      std::size_t moved = 0;
+      for(auto v : before.vertices()) {
+        const Point& p = before.point(v);
+        if(distance(p, where) > 3 && distance(p, Point(7, 7, 0)) > 3)
+          moved += mesh.is_removed(v) || mesh.point(v) != p;
+      }
+      EXPECT_EQ(moved, 0u);
+    }
 }
 
 // Nothing changed, nothing done, but for few faces.

@@ -163,16 +163,18 @@ inline Task small_change_task(const Shape& shape, int level)
   const double faces = std::pow(10., level);
   // adapted once for all repetitions
   const auto adapted = std::make_shared<std::optional<Mesh>>();
-  return { "small change", shape.name, level, [=] {
-            const Sizing size = shape.graded(faces);
-            if(!*adapted) {
-              Mesh mesh = shape.to_adapt(faces);
-              adapt(size, mesh);
-              mesh.collect_garbage();
-              *adapted = std::move(mesh);
-            }
-            return on_mesh(**adapted, with_small_change(**adapted, size), adapt);
-          } };
+  return { "small change", shape.name, level,
+           [=] {
+             const Sizing size = shape.graded(faces);
+             if(!*adapted) {
+               Mesh mesh = shape.to_adapt(faces);
+               adapt(size, mesh);
+               mesh.collect_garbage();
+               *adapted = std::move(mesh);
+             }
+             return on_mesh(**adapted, with_small_change(**adapted, size), adapt);
+           },
+           true };
 }
 
 } // namespace speed

@@ -167,6 +167,7 @@ struct Adaptation_state : Run_record, Face_caches
     energies = factors = Face_values<float>();
     factor_age = std::vector<std::uint8_t>();
     region = restless = stirred = std::vector<char>();
+    coverage.forget_bends();
   }
   // When all that was to be known of it is.
   void forget_surface()

@@ -59,6 +59,8 @@ public:
   }
   // Faces are others.
   void lose() { assigned_ = false; }
+  // Where the sizes will stay: bends take as much memory as the surface.
+  void forget_bends() { bends_ = std::vector<Bend>(); }
 
   void prepare(const Quad_complex& m, const Reference_surface& surface, const Size_sampler& size,
                const std::vector<Index>& reference_patch)
@@ -67,12 +69,12 @@ public:
     if(scale_ != size.scale()) {
       if(bends_.empty()) bends_ = bends_of(surface, size);
       witnesses_ = choose_witnesses(surface, bends_, size.scale(), bound_);
-      // these sizes stay mostly, and bends take as much memory as the surface
-      if(size.scale() < 2 && scale_ > 0) bends_ = std::vector<Bend>();
+      if(size.scale() < 2 && scale_ > 0) forget_bends(); // as they do mostly then
       scale_ = size.scale();
       assigned_ = false;
+      forget_rest();
     }
-    if(!assigned_) assign(m, reference_patch);
+    if(!assigned_) assign(m, surface, reference_patch);
     assigned_ = true;
   }
 
@@ -120,6 +122,31 @@ public:
     first_.swap(first);
   }
 
+  // Only the given faces are there for a while, by their places in the list; witnesses on the
+  // others wait.
+  void leave_to(const std::vector<Index>& faces)
+  {
+    if(!assigned_) return;
+    of_rest_ = first_;
+    renumber(faces);
+    for(Index f : faces)
+      if(f < Index(of_rest_.size())) of_rest_[f] = -1;
+    waits_.assign(witnesses_.size(), 1);
+    for(Index first : first_)
+      for(Index w = first; w >= 0; w = witnesses_[w].next) waits_[w] = 0;
+  }
+
+  // All are there again, those of the list by their numbers in it, or -1 where they are gone.
+  void take_back(const std::vector<Index>& faces, Index face_end)
+  {
+    if(!assigned_ || of_rest_.empty()) return lose();
+    of_rest_.resize(face_end, -1);
+    for(std::size_t i = 0; i < faces.size() && i < first_.size(); ++i)
+      if(faces[i] >= 0) of_rest_[faces[i]] = first_[i];
+    first_ = std::move(of_rest_);
+    forget_rest();
+  }
+
   // For so many faces.
   void fit(Index faces)
   {
@@ -131,10 +158,33 @@ public:
 private:
   explicit Coverage(double bound) : bound_(bound) {}
 
-  void assign(const Quad_complex& m, const std::vector<Index>& reference_patch)
+  void forget_rest()
+  {
+    of_rest_ = std::vector<Index>();
+    waits_ = std::vector<char>();
+  }
+
+  // Where a face is the one that the witness was found on no other is looked for.
+  void assign(const Quad_complex& m, const Reference_surface& surface,
+              const std::vector<Index>& reference_patch)
   {
     first_.assign(m.face_end(), -1);
-    if(witnesses_.empty()) return;
+    std::vector<Index> lost;
+    for(Index w = 0; w < Index(witnesses_.size()); ++w) {
+      if(!waits_.empty() && waits_[w]) continue;
+      const Index f = witnesses_[w].triangle / 2;
+      if(f < m.face_end() && m.is_face(f) && surface.has_halves_of(f, corners(m, f)))
+        give(w, m, f);
+      else
+        lost.push_back(w);
+    }
+    if(!lost.empty()) find_faces(lost, m, reference_patch);
+  }
+
+  // Each goes to the nearest face on its patch that is not turned away.
+  void find_faces(const std::vector<Index>& witnesses, const Quad_complex& m,
+                  const std::vector<Index>& reference_patch)
+  {
     std::vector<Index> face_of;
     face_of.reserve(m.number_of_faces());
     for(Index f = 0; f < m.face_end(); ++f)
@@ -148,7 +198,7 @@ private:
       const Index k = m.patch(f);
       return k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
     };
-    for(Index w = 0; w < Index(witnesses_.size()); ++w) {
+    for(Index w : witnesses) {
       const auto fits = [&](Index t) {
         const Index f = face_of[t / 2], patch = patch_of(f);
         if(patch >= 0 && patch != witnesses_[w].patch) return false;
@@ -158,19 +208,28 @@ private:
         return !(normal * witnesses_[w].normal < Witness::turned_away);
       };
       const Index t = tree.nearest(witnesses_[w].p, corners_of, fits, 1e150).triangle;
-      if(t < 0) continue;
-      const Index f = face_of[t / 2];
-      const Quad q = m.quad(f);
-      const Corners p = { m.point(q[0]), m.point(q[1]), m.point(q[2]), m.point(q[3]) };
-      give(w, f, witnesses_[w].cost_at(witnesses_[w].distance_to(p)));
+      if(t >= 0) give(w, m, face_of[t / 2]);
     }
+  }
+
+  static Corners corners(const Quad_complex& m, Index f)
+  {
+    const Quad q = m.quad(f);
+    return { m.point(q[0]), m.point(q[1]), m.point(q[2]), m.point(q[3]) };
+  }
+
+  void give(Index w, const Quad_complex& m, Index f)
+  {
+    give(w, f, witnesses_[w].cost_at(witnesses_[w].distance_to(corners(m, f))));
   }
 
   double bound_ = (std::numeric_limits<double>::infinity)();
   double scale_ = 0;        // of the sizes that the witnesses are for
   std::vector<Bend> bends_; // of the surface, by vertex
   std::vector<Witness> witnesses_;
-  std::vector<Index> first_; // of each face
+  std::vector<Index> first_;   // of each face
+  std::vector<Index> of_rest_; // the same while only a part of the faces is there
+  std::vector<char> waits_;    // is a witness on none of these?
   bool assigned_ = false, is_off_ = false;
 };
 

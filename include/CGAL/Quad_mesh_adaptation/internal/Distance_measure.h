@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Largest_distance.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
+#include <CGAL/Quad_mesh_adaptation/internal/own_triangles.h>
 
 #include <algorithm>
 #include <array>
@@ -89,20 +90,11 @@ private:
     }
   }
 
-  // Are two triangles of the surface the halves of face f, as they are of an input that is its own
-  // reference, and are all points of the face so near to these that they do not matter?
+  // Are all points of face f so near to its own triangles that they do not matter?
   bool is_near_own_triangles(Index f, const Corners& p)
   {
-    const auto& all = s_.surface.triangles();
-    if(s_.surface.has_lift() || 2 * std::size_t(f) + 1 >= all.size()) return false;
     const double bound = 0.25 * norm(p[0] - p[1] + p[2] - p[3]);
-    if(bound > (is_careful_ ? care_ : to_reference_.threshold())) return false;
-    const std::array<Index, 3>&a = all[2 * f], &b = all[2 * f + 1];
-    const std::vector<Vec>& at = s_.surface.points();
-    if(a[0] != b[0] || a[2] != b[1]) return false;
-    const int i = at[a[0]] == p[0] ? 0 : 1;
-    if(at[a[0]] != p[i] || at[a[1]] != p[i + 1] || at[a[2]] != p[i + 2] ||
-       at[b[2]] != p[(i + 3) & 3])
+    if(bound > (is_careful_ ? care_ : to_reference_.threshold()) || !s_.surface.has_halves_of(f, p))
       return false;
     if(is_careful_) note(f, bound, to_reference_);
     return true;
@@ -154,11 +146,16 @@ private:
     }
   }
 
+  // What a small change has left as it was is on its own triangles, and looked at only near faces
+  // that are others now.
   void measure_reference()
   {
-    Mesh_triangles triangles(s_.mesh);
-    // an input that is its own reference, before anything is done: no point is off the mesh
-    if(!s_.surface.has_lift() && triangles.are_those_of(s_.surface)) return;
+    is_own_ = faces_with_own_triangles(s_);
+    const std::vector<char> near = faces_near_others(s_.mesh, is_own_);
+    // before anything is done, no point of an input that is its own reference is off the mesh
+    const std::size_t own = std::size_t(std::count(is_own_.begin(), is_own_.end(), 1));
+    if(2 * own == s_.surface.triangles().size()) return;
+    Mesh_triangles triangles(s_.mesh, &near);
     face_of_ = triangles.face_of();
     mesh_ = triangles.surface(false);
     find_starts();
@@ -217,11 +214,10 @@ private:
   bool is_same_triangle(Index t)
   {
     const Index f = t / 2;
-    if(s_.surface.has_lift() || f >= Index(place_of_.size()) || place_of_[f] < 0) return false;
-    const Index same = 2 * place_of_[f] + t % 2;
-    if(mesh_.triangle(same) != s_.surface.triangle(t)) return false;
+    if(f >= Index(is_own_.size()) || !is_own_[f]) return false;
+    if(place_of_[f] < 0) return true;
     for(Index v : s_.surface.triangles()[t])
-      if(foot_[v] < 0) foot_[v] = same;
+      if(foot_[v] < 0) foot_[v] = 2 * place_of_[f] + t % 2;
     return true;
   }
 
@@ -285,6 +281,7 @@ private:
   Reference_surface mesh_;      // the faces, each cut in two
   std::vector<Index> face_of_;  // of each pair of triangles
   std::vector<Index> place_of_; // among those, by face
+  std::vector<char> is_own_;    // is a face two triangles of the reference?
   std::vector<Index> start_;    // by triangle of the reference: one of the mesh near it, or -1
   std::vector<Index> foot_;     // by vertex of the reference: the triangle nearest to it
 };

@@ -9,8 +9,10 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,9 +45,12 @@ public:
     std::optional<Reference_creases> creases;
     std::optional<Crease_lookup> known;
     if(reference) known.emplace(creases.emplace(*reference, cos_, off_));
+    std::vector<Vec> areas(m.face_end());
+    for(Index f = 0; f < m.face_end(); ++f) areas[f] = area_vector(s_.corners(f));
     std::vector<char> detected(4 * std::size_t(m.face_end()), 0);
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(m.curve(h) >= 0 || m.opposite(h) < h || !turns_across(h)) continue;
+      if(m.curve(h) >= 0 || m.opposite(h) < h) continue;
+      if(!turns(areas[m.face(h)], areas[m.face(m.opposite(h))])) continue;
       if(known && !known->runs_along(m.point(m.origin(h)), m.point(m.target(h)))) continue;
       m.set_curve(h, 0);
       detected[h] = detected[m.opposite(h)] = 1;
@@ -56,16 +61,19 @@ public:
   void mark_corners()
   {
     Quad_complex& m = s_.mesh;
-    std::vector<std::vector<Index>> ends(m.vertex_end()); // feature half-edges by end
+    std::vector<std::pair<Index, Index>> ends; // of features, and their half-edges
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
       if(m.curve(h) < 0 || (m.opposite(h) >= 0 && m.opposite(h) < h)) continue;
-      ends[m.origin(h)].push_back(h);
-      ends[m.target(h)].push_back(h);
+      ends.push_back({ m.origin(h), h });
+      ends.push_back({ m.target(h), h });
     }
+    std::sort(ends.begin(), ends.end());
+    auto next = ends.begin();
+    std::vector<Index> e;
     for(Index v = 0; v < m.vertex_end(); ++v) {
       Vertex_record& r = m.vertex(v);
       if(!m.is_vertex(v)) continue;
-      const auto& e = ends[v];
+      for(e.clear(); next != ends.end() && next->first == v; ++next) e.push_back(next->second);
       if(e.empty() && !r.frozen) continue;
       r.carrier = e.size() == 2 && !r.frozen && !turns(v, e[0], e[1]) &&
                           in_.has_frozen(e[0]) == in_.has_frozen(e[1]) &&
@@ -76,13 +84,7 @@ public:
   }
 
 private:
-  bool turns_across(Index h) const
-  {
-    const Quad_complex& m = s_.mesh;
-    const Vec a = area_vector(s_.corners(m.face(h)));
-    const Vec b = area_vector(s_.corners(m.face(m.opposite(h))));
-    return a * b < cos_ * norm(a) * norm(b);
-  }
+  bool turns(const Vec& a, const Vec& b) const { return a * b < cos_ * norm(a) * norm(b); }
 
   bool is_constrained(Index h) const
   {

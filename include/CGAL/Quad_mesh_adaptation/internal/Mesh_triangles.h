@@ -17,26 +17,27 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// The faces of a mesh, each cut in two, as a surface to look for nearest points on.
+// The faces of a mesh, or those of them that are marked, each cut in two, as a surface to look for
+// nearest points on.
 class Mesh_triangles
 {
 public:
-  explicit Mesh_triangles(const Quad_complex& m) : m_(m)
+  // Points have the numbers of their nodes, but where faces are marked.
+  explicit Mesh_triangles(const Quad_complex& m, const std::vector<char>* marked = nullptr) : m_(m)
   {
-    soup_.points.reserve(m.vertex_end());
-    soup_.triangles.reserve(2 * std::size_t(m.number_of_faces()));
+    const auto is_wanted = [&](Index f) { return m.is_face(f) && (!marked || (*marked)[f]); };
     face_of_.reserve(m.number_of_faces());
-    for(Index v = 0; v < m.vertex_end(); ++v) soup_.points.push_back(m.point(v));
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
-      append_quad(soup_, m.quad(f));
-      face_of_.push_back(f);
+    for(Index f = 0; f < m.face_end(); ++f)
+      if(is_wanted(f)) face_of_.push_back(f);
+    if(marked)
+      take_points_of_faces();
+    else
+      take_all_points();
+    soup_.triangles.reserve(2 * face_of_.size());
+    for(Index f : face_of_) {
+      const Quad q = m.quad(f);
+      append_quad(soup_, { number(q[0]), number(q[1]), number(q[2]), number(q[3]) });
     }
-  }
-
-  bool are_those_of(const Reference_surface& surface) const
-  {
-    return soup_.triangles == surface.triangles() && soup_.points == surface.points();
   }
 
   // Of each pair of triangles.
@@ -51,12 +52,33 @@ public:
   }
 
 private:
+  Index number(Index v) const { return number_.empty() ? v : number_[v]; }
+
+  void take_all_points()
+  {
+    soup_.points.reserve(m_.vertex_end());
+    for(Index v = 0; v < m_.vertex_end(); ++v) soup_.points.push_back(m_.point(v));
+  }
+
+  void take_points_of_faces()
+  {
+    number_.assign(m_.vertex_end(), -1);
+    for(Index f : face_of_)
+      for(Index v : m_.quad(f)) number_[v] = 0;
+    Index points = 0;
+    for(Index& n : number_)
+      if(n == 0) n = points++;
+    soup_.points.reserve(points);
+    for(Index v = 0; v < m_.vertex_end(); ++v)
+      if(number_[v] >= 0) soup_.points.push_back(m_.point(v));
+  }
+
   // What lies across the sides of the triangles is known.
   std::vector<std::array<Index, 3>> neighbours(bool is_parted) const
   {
     std::vector<Index> first_side(m_.face_end(), -1); // of the first triangle of a face
     for(std::size_t k = 0; k < face_of_.size(); ++k) {
-      const bool turned = soup_.triangles[2 * k][0] != m_.origin(4 * face_of_[k]);
+      const bool turned = soup_.triangles[2 * k][0] != number(m_.origin(4 * face_of_[k]));
       first_side[face_of_[k]] = Index(4 * k) + (turned ? 1 : 0);
     }
     std::vector<std::array<Index, 3>> across(soup_.triangles.size(), { -1, -1, -1 });
@@ -66,7 +88,7 @@ private:
       across[2 * k + 1][0] = Index(2 * k);
       for(Index i = 0; i < 4; ++i) {
         const Index o = m_.opposite(4 * f + ((i + turned) & 3));
-        if(o < 0 || (is_parted && m_.curve(o) >= 0)) continue;
+        if(o < 0 || (is_parted && m_.curve(o) >= 0) || first_side[m_.face(o)] < 0) continue;
         const Index there = first_side[m_.face(o)], j = ((o & 3) - (there & 3)) & 3;
         across[2 * k + std::size_t(i / 2)][i - i / 2] = 2 * (there / 4) + j / 2;
       }
@@ -77,6 +99,7 @@ private:
   const Quad_complex& m_;
   Triangle_soup soup_;
   std::vector<Index> face_of_;
+  std::vector<Index> number_; // of the point of a node; empty: the same
 };
 
 } // namespace internal

@@ -135,11 +135,9 @@ public:
   // Recomputes halfedge and face count of every vertex; those without a face are deleted.
   void refresh_vertices()
   {
-    std::vector<Index> previous(vertices_.size());
-    for(std::size_t v = 0; v < vertices_.size(); ++v) {
-      previous[v] = vertices_[v].halfedge;
-      vertices_[v].halfedge = -1;
-      vertices_[v].faces = 0;
+    for(Vertex_record& r : vertices_) {
+      r.halfedge = -1;
+      r.faces = 0;
     }
     for(Index h = 0; h < Index(origin_.size()); ++h) {
       if(origin_[h] < 0) continue;

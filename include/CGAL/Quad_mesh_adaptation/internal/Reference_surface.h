@@ -70,6 +70,19 @@ public:
   Index neighbour(Index t, int i) const { return mesh_.neighbour(t, i); }
   Index patch(Index t) const { return mesh_.patch(t); }
 
+  // Are triangles 2 f and 2 f + 1 the halves of a quad, as they are of face f of an input that is
+  // its own reference?
+  bool has_halves_of(Index f, const std::array<Vec, 4>& p) const
+  {
+    if(lift_ || 2 * std::size_t(f) + 1 >= number_of_triangles()) return false;
+    const std::array<Index, 3>&a = triangles()[2 * f], &b = triangles()[2 * f + 1];
+    if(a[0] != b[0] || a[2] != b[1]) return false;
+    const std::vector<Vec>& at = points();
+    const int i = at[a[0]] == p[0] ? 0 : 1;
+    return at[a[0]] == p[i] && at[a[1]] == p[i + 1] && at[a[2]] == p[i + 2] &&
+           at[b[2]] == p[(i + 3) & 3];
+  }
+
   // Unit normal of triangle t; the plane's normal on a planar surface, whatever t.
   Vec normal(Index t) const { return planar_ ? plane_normal_ : mesh_.normal(t); }
 

@@ -26,9 +26,9 @@ struct Witness
 
   Vec p, normal;
   double allowed = 0, inverse_h = 0;
-  Index patch = -1;
-  Index next = -1; // of the same face
-  double cost = 0; // on its face
+  Index patch = -1, triangle = -1; // of the surface
+  Index next = -1;                 // of the same face
+  double cost = 0;                 // on its face
 
   double cost_at(double distance) const
   {

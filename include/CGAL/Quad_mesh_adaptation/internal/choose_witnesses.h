@@ -118,6 +118,7 @@ private:
     w.allowed = (std::min)(w.allowed, 0.6 * bound_);
     w.inverse_h = 1 / (std::min)(h, 1.5 * bound_);
     w.patch = surface_.patch(b.triangle);
+    w.triangle = b.triangle;
     return w;
   }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Kept_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/ideal_count.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_complex.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_quality.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_topology.h>
@@ -21,16 +22,19 @@ namespace internal {
 // whose exceptions pass through.  The ideal number of faces is integrated over
 // `reference_triangles`, or over the mesh itself without them.  `max_distance_to_reference` is
 // left at 0.  Strict size ratios that are known, one for each quad, need not be worked out again;
-// nor need what is kept of the quads.
+// nor need what is kept of the quads, nor how they are linked.
 // Preconditions: indices are in range; the mesh may be non-manifold.
 inline Mesh_measures measure(const std::vector<Vec>& points, const std::vector<Quad>& quads,
                              const Size_function& size,
                              const std::vector<Triangle>* reference_triangles = nullptr,
                              const std::vector<double>* strict_ratios = nullptr,
-                             Kept_sizes* kept = nullptr)
+                             Kept_sizes* kept = nullptr, const Quad_complex* links = nullptr)
 {
   Mesh_measures m;
-  measure_topology(points.size(), quads, m);
+  if(links)
+    measure_topology(*links, m);
+  else
+    measure_topology(points.size(), quads, m);
   if(quads.empty()) return m;
   measure_quality(points, quads, m);
   measure_sizes(points, quads, size, strict_ratios, kept, m);

@@ -89,11 +89,17 @@ private:
   void add_cell(const std::array<std::size_t, 4>& c)
   {
     constexpr double followed2 = Size_growth::followed_slope * Size_growth::followed_slope;
-    double steepest2 = 0, density = 0;
+    Slope steepest;
+    double density = 0;
     for(int i = 0; i < 4; ++i) {
       density += densities_[c[i]];
-      for(int j = i + 1; j < 4; ++j) steepest2 = (std::max)(steepest2, squared_slope(c[i], c[j]));
+      for(int j = i + 1; j < 4; ++j) {
+        const Slope s = slope(c[i], c[j]);
+        if(s.is_steeper_than(steepest)) steepest = s;
+      }
     }
+    const double steepest2 = steepest.squared();
+    note(steepest, steepest2);
     const double area =
         0.5 * norm(cross(points_[c[2]] - points_[c[0]], points_[c[3]] - points_[c[1]]));
     area_ += area;
@@ -104,21 +110,32 @@ private:
     growth_.steep_faces += area * density;
     for(int i = 0; i < 4; ++i)
       for(int j = i + 1; j < 4; ++j)
-        if(squared_slope(c[i], c[j]) > followed2) note_jump(sizes_[c[i]], sizes_[c[j]]);
+        if(slope(c[i], c[j]).squared() > followed2) note_jump(sizes_[c[i]], sizes_[c[j]]);
   }
 
-  double squared_slope(std::size_t a, std::size_t b)
+  // Between two points; compared without a division.
+  struct Slope
   {
-    const double length2 = (points_[a] - points_[b]).squared_length();
-    if(!(length2 > 0)) return 0;
-    const double rise = sizes_[a] - sizes_[b], result = rise * rise / length2;
-    if(result > largest2_) {
-      largest2_ = result;
-      growth_.largest_slope = std::sqrt(result);
-      const Vec middle = 0.5 * (points_[a] + points_[b]);
-      growth_.where = { middle.x(), middle.y(), middle.z() };
-    }
-    return result;
+    double rise2 = 0, length2 = 1;
+    std::size_t from = 0, to = 0;
+
+    bool is_steeper_than(const Slope& o) const { return rise2 * o.length2 > o.rise2 * length2; }
+    double squared() const { return length2 > 0 ? rise2 / length2 : 0; }
+  };
+
+  Slope slope(std::size_t a, std::size_t b) const
+  {
+    const double rise = sizes_[a] - sizes_[b], length2 = (points_[a] - points_[b]).squared_length();
+    return length2 > 0 ? Slope{ rise * rise, length2, a, b } : Slope{ 0, 1, a, b };
+  }
+
+  void note(const Slope& s, double squared)
+  {
+    if(!(squared > largest2_)) return;
+    largest2_ = squared;
+    growth_.largest_slope = std::sqrt(squared);
+    const Vec middle = 0.5 * (points_[s.from] + points_[s.to]);
+    growth_.where = { middle.x(), middle.y(), middle.z() };
   }
 
   void note_jump(double a, double b)

@@ -65,7 +65,7 @@ inline Mesh_measures measure_state(const Adaptation_state& s,
   std::optional<std::vector<Triangle>> triangles;
   if(reference) triangles = corner_points(*reference);
   Mesh_measures m = measure(points, quads, size, triangles ? &*triangles : nullptr,
-                            strict.empty() ? nullptr : &strict, kept);
+                            strict.empty() ? nullptr : &strict, kept, &s.mesh);
   triangles.reset(); // distances need the memory
   points = std::vector<Vec>();
   quads = std::vector<Quad>();

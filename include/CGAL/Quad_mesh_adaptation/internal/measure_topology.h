@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Disjoint sets of vertices with path halving; the smaller number represents a set, so that the
-// result does not depend on the order of the unions.
+// Disjoint sets of vertices or other numbers with path halving; the smaller number represents a
+// set, so that the result does not depend on the order of the unions.
 class Vertex_sets
 {
 public:

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_SCHEDULE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Schedule_ingredients.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
 #include <CGAL/Quad_mesh_adaptation/internal/detours.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 #include <CGAL/Quad_mesh_adaptation/internal/trial_halving.h>
+#include <CGAL/Quad_mesh_adaptation/internal/work_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
@@ -25,21 +27,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// The ingredients of the default schedule; the benchmark switches them off one by one, to show what
-// each is worth.
-struct Schedule_ingredients
-{
-  bool coarsening = true;        // before refinement, with relaxed valences
-  bool edge_marking = true;      // else faces too large are cut in four
-  bool octaves = true;           // first a mesh for sizes larger by powers of two
-  bool trial_halving = true;     // of such a mesh, to see whether it lies well on the surface then
-  bool progressive_sizes = true; // floors where the mesh is too coarse yet
-  bool size_aware = true;        // smoothing knows the size
-  bool local_operations = true;  // clean-up between levels, annealing and polishing
-  bool annealing = true;
-  bool last_resorts = true; // enforcement of sizes, mending of shapes
-};
 
 // Approaches the sizes from below: halve what is too long, everywhere once, then clean up and
 // smooth against the size reached so far.  No place is ever grossly under-resolved while
@@ -123,8 +110,8 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
   // where halving has gone too far by the same everywhere, single rows can go again
   if(use.coarsening) spare_rows(s);
   s.progress = 0.5;
-  if(use.local_operations && use.annealing) anneal(s, clean, 2.5, 10);
-  if(use.local_operations) polish(s, clean, 5, 2);
+  if(use.local_operations && use.annealing) anneal(s, clean, use.tolerance, use.annealing_rounds);
+  if(use.local_operations) polish(s, clean, use.polishing_rounds, use.gentle_rounds);
 }
 
 // Has a mesh that will be halved about as many faces as its sizes ask for?
@@ -191,6 +178,7 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
     descend_one_octave(s, clean, last - s.iterations - std::size_t(left), use);
   }
   s.progress = 0.9;
+  s.surface.forget_tree(); // coarse faces ask it, fine ones hardly ever
   if(Curve_bends(s).fit() > 0 && use.local_operations) polish(s, clean, 1, 0);
   if(use.last_resorts) {
     enforce_sizes_and_shapes(s, clean);
@@ -259,22 +247,45 @@ inline void run_several_ways(Adaptation_state& s, const Improvement_options& cle
   run_other_way(s, clean, max_iterations, other, given);
 }
 
+// Where a large mesh has few faces to work on, and these can be.
+inline void take_part_out(Adaptation_state& s, const std::vector<Index>& work,
+                          std::optional<Work_part>& part)
+{
+  if(work.empty() || s.mesh.number_of_faces() <= without_detours) return;
+  const Part_choice choice(s.mesh, work);
+  if(choice.is_separable(s)) part.emplace(s, work, choice);
+}
+
 // The default schedule.
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
                                  const Schedule_ingredients& use = {})
 {
   s.prepare_coverage();
-  const bool adapted = is_adapted(s);
+  std::vector<Index> work = faces_to_work_on(s);
+  const bool adapted = work.empty() && !is_too_fine(s);
   if(adapted && !(use.coarsening && may_spare_rows(s))) return;
-  Good_mesh_keeper input(s);
+  if(!is_local(s, work)) work = std::vector<Index>();
+  std::optional<Work_part> part;
+  take_part_out(s, work, part);
+  Schedule_ingredients use_here = use;
+  if(part) {
+    work = part->work();
+    use_here = made_light(use);
+    use_here.coarsening = use.coarsening && are_many_too_small(s, work);
+  }
+  Good_mesh_keeper input(s, work);
   if(adapted && spare_rows(s) == 0) return;
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
+  const double fine = s.smoothing.wake;
+  if(part) s.smoothing.wake = (std::max)(fine, 0.01);
   if(use.last_resorts)
-    run_several_ways(s, clean, max_iterations, use);
+    run_several_ways(s, clean, max_iterations, use_here);
   else
-    run_progressively(s, clean, max_iterations, use);
+    run_progressively(s, clean, max_iterations, use_here);
+  s.smoothing.wake = fine;
   input.restore_unless_better();
+  if(part) part->put_back();
   s.region.clear();
   s.progress = 1;
 }

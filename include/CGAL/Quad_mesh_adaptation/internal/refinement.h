@@ -62,6 +62,7 @@ inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
     if(split.empty()) wish = split_wishes(s, o, false);
   }
   if(split.empty()) split = even_marks(s.mesh, wish, o.bend, infeasible);
+  wish = std::vector<double>(); // its memory is needed for the splits
   return split.empty() ? 0 : Split_templates(s, split)();
 }
 
@@ -83,6 +84,7 @@ inline std::size_t refine_faces(Adaptation_state& s, const std::vector<Index>& f
     for(Index h = 4 * f; h < 4 * f + 4; ++h)
       if(std::isfinite(wish[low(h)])) wish[low(h)] = -1000.;
   const std::vector<char> split = even_marks(m, wish, 1e-3);
+  wish = std::vector<double>(); // its memory is needed for the splits
   return split.empty() ? 0 : Split_templates(s, split)();
 }
 

@@ -64,6 +64,7 @@ inline std::size_t split_within(Adaptation_state& s, const std::vector<Index>& f
     for(Index h : edges_to_cut(s, f))
       if(std::isfinite(wish[low(h)])) wish[low(h)] = -20;
   const std::vector<char> split = even_marks(m, wish, o.bend);
+  wish = std::vector<double>(); // its memory is needed for the splits
   return split.empty() ? 0 : Split_templates(s, split)();
 }
 

@@ -83,6 +83,7 @@ public:
     std::size_t cut = 0;
     for(Index f = 0; f < faces; ++f)
       if(m.is_face(f) && cut_face(f)) ++cut;
+    middle_ = std::vector<Index>(); // links need the memory
     if(cut == 0) return 0;
     m.link();
     for(Index f : children_) look_again(f);

@@ -56,7 +56,7 @@ inline std::vector<float> mean_squares_about_nodes(const Adaptation_state& s,
 inline std::vector<char> places_that_matter(const Quad_complex& m, const std::vector<float>& square,
                                             float limit)
 {
-  const double least = double(m.number_of_faces()) / 50000;
+  const double least = double(m.number_of_faces()) / 10000;
   std::vector<char> result(m.face_end(), 0);
   std::vector<Index> place;
   for(Index first = 0; first < m.face_end(); ++first) {
@@ -131,14 +131,26 @@ inline bool is_local(const Adaptation_state& s, const std::vector<Index>& work)
          mean_square_ratio(s) >= fine_enough;
 }
 
+// Is there something to coarsen among these?
+inline bool are_many_too_small(const Adaptation_state& s, const std::vector<Index>& work)
+{
+  constexpr double small = 0.7, few = 0.3;
+  const auto below =
+      std::count_if(work.begin(), work.end(), [&](Index f) { return s.size_ratio(f) < small; });
+  return double(below) > few * double(work.size());
+}
+
+// So many rings of faces about those are worked on.
+constexpr int rings_to_work_on = 8;
+
 // Where that is so all else is left alone, so that a small change costs little.  Tells whether it
 // is so.
 inline bool stay_near_work(Adaptation_state& s)
 {
-  constexpr int rings = 8;
+  if(!s.region.empty()) return true; // it has been found before
   const std::vector<Index> work = faces_to_work_on(s);
   if(!is_local(s, work)) return false;
-  s.region = nodes_around(s.mesh, work, rings);
+  s.region = nodes_around(s.mesh, work, rings_to_work_on);
   for(Index v = 0; v < s.mesh.vertex_end(); ++v)
     if(!s.mesh.is_vertex(v)) s.region[v] = 1; // may become a new one
   return true;
@@ -179,13 +191,13 @@ constexpr double worth_a_change = 0.08, worth_a_fault = 0.5;
 class Good_mesh_keeper
 {
 public:
-  explicit Good_mesh_keeper(Adaptation_state& s) : s_(s)
+  // `work`: the faces to work on, if these are few; else none.
+  Good_mesh_keeper(Adaptation_state& s, const std::vector<Index>& work) : s_(s)
   {
     if(!is_good(s)) return;
     mesh_.emplace(s);
     energy_ = at_stake_ = total_energy(s);
-    const std::vector<Index> work = faces_to_work_on(s);
-    if(!is_local(s, work)) return;
+    if(work.empty()) return;
     at_stake_ = 0;
     for(Index f : work) at_stake_ += s.cached_energy(f) + s.coverage.cost(f);
   }

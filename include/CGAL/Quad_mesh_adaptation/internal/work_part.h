@@ -1,0 +1,316 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_PART_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_PART_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
+#include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// The faces about those to work on, as few as cut no fan of faces in two.
+class Part_choice
+{
+public:
+  Part_choice(const Quad_complex& m, const std::vector<Index>& work)
+      : near_(nodes_around(m, work, rings_to_work_on + margin))
+  {
+    do {
+      list_faces(m);
+    } while(mend_fans(m));
+  }
+
+  const std::vector<Index>& faces() const { return faces_; }
+  bool has(Index f) const { return inside_[f]; }
+
+  // May they be taken out, and is that worth while?  Curves that are looked at from end to end must
+  // stay whole: closed ones and those with bends.
+  bool is_separable(const Adaptation_state& s) const
+  {
+    if(2 * faces_.size() > std::size_t(s.mesh.number_of_faces())) return false;
+    std::vector<char> is_simple;
+    for(const Feature_curve& c : s.curves)
+      is_simple.push_back(!c.is_closed() && (c.is_frozen() || bends_of(c).empty()));
+    return std::all_of(faces_.begin(), faces_.end(), [&](Index f) {
+      for(Index h = 4 * f; h < 4 * f + 4; ++h)
+        if(s.mesh.curve(h) >= 0 && !is_simple[s.mesh.curve(h)]) return false;
+      return true;
+    });
+  }
+
+private:
+  static constexpr int margin = 5; // rings: operations and moves look at three
+
+  void list_faces(const Quad_complex& m)
+  {
+    faces_.clear();
+    inside_.assign(m.face_end(), 0);
+    for(Index f = 0; f < m.face_end(); ++f) {
+      if(!m.is_face(f)) continue;
+      const Quad q = m.quad(f);
+      if(!std::any_of(q.begin(), q.end(), [&](Index v) { return near_[v]; })) continue;
+      inside_[f] = 1;
+      faces_.push_back(f);
+    }
+  }
+
+  // Where a node joins two fans of the part all its faces belong to it; is there such a node?
+  bool mend_fans(const Quad_complex& m)
+  {
+    bool found = false;
+    for(Index f : faces_)
+      for(Index v : m.quad(f))
+        if(!near_[v] && number_of_fans(m, v) > 1) {
+          near_[v] = 1;
+          found = true;
+        }
+    return found;
+  }
+
+  int number_of_fans(const Quad_complex& m, Index v) const
+  {
+    const Index start = m.vertex(v).halfedge;
+    int starts = m.is_border(start) && has(m.face(start)) ? 1 : 0;
+    Index h = start;
+    do {
+      const Index next = m.turn_left(h);
+      if(next >= 0 && has(m.face(next)) && !has(m.face(h))) ++starts;
+      h = next;
+    } while(h >= 0 && h != start);
+    return starts;
+  }
+
+  std::vector<char> near_, inside_; // by node, by face
+  std::vector<Index> faces_;
+};
+
+// Takes the part of a large mesh that is worked on out of it, for as long as the work lasts: what
+// goes over all faces, or keeps a copy of them, costs as little as the part is small then.  Its
+// edges to the rest are frozen, far enough from where anything happens.
+class Work_part
+{
+public:
+  // Precondition: the choice is separable.
+  Work_part(Adaptation_state& s, const std::vector<Index>& work, const Part_choice& choice)
+      : s_(s), face_(choice.faces())
+  {
+    const std::vector<char> region = nodes_around(s.mesh, work, rings_to_work_on);
+    whole_ = std::exchange(s.mesh, Quad_complex());
+    s.curves.push_back(Feature_curve({}, false, false, true)); // the edges to the rest
+    copy_part(choice, region);
+    for(Index f : work)
+      work_.push_back(Index(std::lower_bound(face_.begin(), face_.end(), f) - face_.begin()));
+    take_values();
+    tell_of_whole();
+  }
+
+  Work_part(const Work_part&) = delete;
+  Work_part& operator=(const Work_part&) = delete;
+
+  // The faces to work on by their numbers in the part.
+  const std::vector<Index>& work() const { return work_; }
+
+  // The state is that of the whole again.
+  void put_back()
+  {
+    s_.prepare_coverage();
+    part_ = std::move(s_.mesh);
+    number_faces_and_nodes();
+    write_faces();
+    write_nodes();
+    s_.mesh = std::move(whole_);
+    give_corners_back();
+    s_.curves.pop_back();
+    s_.end_phase = std::move(end_phase_);
+    give_values();
+    s_.region.clear();
+    s_.restless.assign(s_.mesh.vertex_end(), 0);
+    s_.stirred.assign(s_.mesh.vertex_end(), 0);
+  }
+
+private:
+  void copy_part(const Part_choice& choice, const std::vector<char>& region)
+  {
+    Quad_complex& m = s_.mesh;
+    std::vector<Index> node(whole_.vertex_end(), -1), face(whole_.face_end(), -1);
+    for(std::size_t i = 0; i < face_.size(); ++i) face[face_[i]] = Index(i);
+    m.reserve(2 * face_.size(), 2 * face_.size()); // the part may well grow
+    for(Index f : face_)
+      for(Index v : whole_.quad(f)) {
+        if(node[v] >= 0) continue;
+        node[v] = m.add_vertex(whole_.vertex(v));
+        node_.push_back(v);
+        s_.region.push_back(region[v]);
+      }
+    m.protect_vertices_below(Index(node_.size()));
+    for(Index f : face_) {
+      const Quad q = whole_.quad(f);
+      m.add_face({ node[q[0]], node[q[1]], node[q[2]], node[q[3]] }, whole_.patch(f));
+    }
+    rename_corners(node);
+    outside_.assign(node_.size(), -1);
+    for(Index h = 0; h < 4 * m.face_end(); ++h) link(choice, face, h);
+    for(Index h = 0; h < 4 * m.face_end(); ++h) m.refresh_vertex(m.origin(h), h);
+  }
+
+  void link(const Part_choice& choice, const std::vector<Index>& face, Index h)
+  {
+    Quad_complex& m = s_.mesh;
+    const Index there = 4 * face_[m.face(h)] + (h & 3), o = whole_.opposite(there);
+    if(o >= 0 && choice.has(whole_.face(o))) {
+      m.set_opposites(h, 4 * face[whole_.face(o)] + (o & 3));
+      m.set_curve(h, whole_.curve(there));
+    } else if(o < 0) {
+      m.set_curve(h, whole_.curve(there));
+    } else {
+      m.set_curve(h, Index(s_.curves.size()) - 1);
+      outside_[m.origin(h)] = o;
+      hold(m.vertex(m.origin(h)));
+      hold(m.vertex(m.target(h)));
+    }
+  }
+
+  // The ends of curves by their numbers in the part; others than all of these where they are not in
+  // it.
+  void rename_corners(const std::vector<Index>& node)
+  {
+    const auto rename = [&](Index& corner) {
+      corners_.push_back(corner);
+      if(corner >= 0) corner = node[corner] >= 0 ? node[corner] : -2 - corner;
+    };
+    for(Feature_curve& c : s_.curves) {
+      rename(c.first_corner);
+      rename(c.last_corner);
+    }
+  }
+
+  void give_corners_back()
+  {
+    auto corner = corners_.begin();
+    for(Feature_curve& c : s_.curves) {
+      c.first_corner = *corner++;
+      c.last_corner = *corner++;
+    }
+  }
+
+  static void hold(Vertex_record& r)
+  {
+    r.frozen = true;
+    if(r.carrier == Carrier::surface) r.carrier = Carrier::corner;
+  }
+
+  void take_values()
+  {
+    ratios_ = std::move(s_.ratios);
+    s_.ratios = Face_values<double>();
+    s_.forget_values();
+    for(std::size_t i = 0; i < face_.size(); ++i) {
+      if(!ratios_.is_known(face_[i])) continue;
+      s_.ratios.set(Index(i), ratios_[face_[i]], s_.mesh.face_end());
+      ratios_.forget(face_[i]);
+    }
+    s_.coverage.leave_to(face_);
+    s_.disturb_all();
+    s_.stir_all();
+  }
+
+  void give_values()
+  {
+    const Face_values<double> of_part = std::move(s_.ratios);
+    s_.ratios = Face_values<double>();
+    s_.forget_values();
+    s_.ratios = std::move(ratios_);
+    for(Index f = 0; f < Index(face_.size()); ++f)
+      if(face_[f] >= 0 && of_part.is_known(f))
+        s_.ratios.set(face_[f], of_part[f], s_.mesh.face_end());
+    s_.coverage.take_back(face_, s_.mesh.face_end());
+  }
+
+  // Observers are told of all faces.
+  void tell_of_whole()
+  {
+    end_phase_ = s_.end_phase;
+    const std::size_t rest = std::size_t(whole_.number_of_faces()) - face_.size();
+    s_.end_phase = [told = end_phase_, rest](const char* name, std::size_t faces) {
+      told(name, rest + faces);
+    };
+  }
+
+  // Numbers in the whole of what is in the part now; what has gone is removed there first.
+  void number_faces_and_nodes()
+  {
+    const std::size_t faces = face_.size(), nodes = node_.size();
+    const auto take = [](Index& number) { return std::exchange(number, Index(-1)); };
+    for(std::size_t i = 0; i < faces; ++i)
+      if(!part_.is_face(Index(i))) whole_.remove_face(take(face_[i]));
+    for(std::size_t i = 0; i < nodes; ++i)
+      if(!part_.is_vertex(Index(i))) whole_.remove_vertex(take(node_[i]));
+    for(Index v = Index(nodes); v < part_.vertex_end(); ++v)
+      node_.push_back(part_.is_vertex(v) ? whole_.add_vertex(part_.vertex(v)) : Index(-1));
+    for(Index f = Index(faces); f < part_.face_end(); ++f)
+      face_.push_back(part_.is_face(f) ? whole_.add_face({ -1, -1, -1, -1 }, -1) : Index(-1));
+  }
+
+  void write_faces()
+  {
+    const Index frozen = Index(s_.curves.size()) - 1;
+    const auto there = [&](Index h) { return 4 * face_[part_.face(h)] + (h & 3); };
+    for(Index f = 0; f < part_.face_end(); ++f) {
+      if(!part_.is_face(f)) continue;
+      const Quad q = part_.quad(f);
+      whole_.set_quad(face_[f], { node_[q[0]], node_[q[1]], node_[q[2]], node_[q[3]] });
+      whole_.set_patch(face_[f], part_.patch(f));
+    }
+    for(Index h = 0; h < 4 * part_.face_end(); ++h) {
+      if(!part_.is_face(part_.face(h))) continue;
+      const Index o = part_.opposite(h), c = part_.curve(h);
+      if(o < 0 && c == frozen) {
+        const Index outside = outside_[part_.origin(h)];
+        whole_.set_opposites(there(h), outside);
+        whole_.set_curve(outside, whole_.curve(outside));
+      } else {
+        if(o >= 0) whole_.set_opposites(there(h), there(o));
+        whole_.set_curve(there(h), c);
+      }
+    }
+  }
+
+  void write_nodes()
+  {
+    for(Index h = 0; h < 4 * part_.face_end(); ++h) {
+      if(!part_.is_face(part_.face(h))) continue;
+      const Index v = part_.origin(h);
+      if(part_.vertex(v).halfedge != h) continue; // once for each
+      Vertex_record& r = whole_.vertex(node_[v]);
+      const Vertex_record old = r;
+      r = part_.vertex(v);
+      r.frozen = old.frozen; // nodes are held for the time of the work only
+      r.carrier = old.carrier;
+      whole_.refresh_vertex(node_[v], 4 * face_[part_.face(h)] + (h & 3));
+    }
+  }
+
+  Adaptation_state& s_;
+  Quad_complex whole_, part_;
+  std::vector<Index> face_, node_;    // of the part: their numbers in the whole
+  std::vector<Index> work_, corners_; // corners_: two of each curve, in the whole
+  std::vector<Index> outside_; // by node of the part: the half-edge of the rest that leads to it
+  Face_values<double> ratios_; // of the whole
+  std::function<void(const char*, std::size_t)> end_phase_;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_PART_H
