@@ -83,7 +83,8 @@ Outcome adapt(const Case& c, const Variant& variant, const NamedParameters& np)
     core::progressive_schedule(s, most_passes, use);
     result.seconds += double(std::clock() - start) / CLOCKS_PER_SEC;
   };
-  result.report = core::run_on_mesh(faces(mesh), false, c.size, mesh, np, false, algorithm);
+  result.report =
+      core::run_on_mesh(faces(mesh), false, c.size, mesh, np, core::Call_kind(), algorithm);
   return result;
 }
 

@@ -16,7 +16,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 #include <CGAL/Quad_mesh_adaptation/internal/trial_halving.h>
-#include <CGAL/Quad_mesh_adaptation/internal/work_part.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Work_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
