@@ -184,7 +184,7 @@ inline Outcome& choose(std::vector<Outcome>& done)
   };
   const Outcome& best = *std::min_element(done.begin(), done.end(), better);
   return *std::find_if(done.begin(), done.end(), [&](const Outcome& a) {
-    const std::size_t spare = held ? std::size_t(a.mesh.number_of_faces()) / 300 : 0;
+    const std::size_t spare = held ? std::size_t(a.mesh.number_of_faces()) / 100 : 0;
     return a.faults <= best.faults + spare &&
            a.mesh.number_of_faces() <= tolerated * best.mesh.number_of_faces();
   });

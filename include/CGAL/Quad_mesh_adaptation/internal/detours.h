@@ -54,7 +54,8 @@ class Detours
 {
 public:
   // Before the first run; `run` goes from any mesh to one for the sizes.
-  Detours(Adaptation_state& s, std::function<void()> run) : s_(s), run_(std::move(run)), given_(s)
+  Detours(Adaptation_state& s, std::function<void()> run)
+      : s_(s), run_(std::move(run)), given_(s), asked_faces_(Demand(s).faces)
   {
   }
 
@@ -80,7 +81,7 @@ public:
         make_finer(s_);
       run_();
       s_.order = 0;
-      if(demerits(s_) >= least_ || has_cut_curves_short()) best_->restore();
+      if(demerits(s_) >= least_ || has_cut_curves_short() || misses_sizes()) best_->restore();
     }
   }
 
@@ -102,11 +103,20 @@ private:
     return false;
   }
 
+  // Faces that are too large to see a place of small sizes between their samples are no better for
+  // being few.
+  bool misses_sizes() const
+  {
+    constexpr double least = 0.7; // surfaces lose some area where faces are large
+    return double(s_.mesh.number_of_faces()) < least * asked_faces_;
+  }
+
   static constexpr double clearly = 0.98;
 
   Adaptation_state& s_;
   std::function<void()> run_;
   const Mesh_keeper given_;
+  const double asked_faces_;
   std::optional<Mesh_keeper> best_;
   double least_ = 0;
   std::vector<char> kept_; // curves, by the best

@@ -71,7 +71,10 @@ public:
       before_.emplace(s_);
       faults_ = shape_faults(s_);
     }
-    split_too_large(s_, faces_to_mend(s_, worth_more_faces));
+    std::vector<Index> faces = faces_to_mend(s_, worth_more_faces);
+    const auto beyond_help = [this](Index f) { return is_beyond_help(s_, f); };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), beyond_help), faces.end());
+    split_too_large(s_, faces);
   }
 
   void take_back_unless_better()
