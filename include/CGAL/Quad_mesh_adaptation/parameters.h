@@ -243,7 +243,7 @@ Named_function_parameters<Concurrency, concurrency_t, NP> concurrency(Concurrenc
   return Named_function_parameters<Concurrency, concurrency_t, NP>(tag, np);
 }
 
-/// Whether `adapt_quad_mesh()` with the default schedule, `refine()`, `coarsen()` and `clean_up()`
+/// Whether `adapt_quad_mesh()` with the default schedule, `refine()` and `clean_up()`
 /// keep mirror symmetry; default `true`.
 ///
 /// Looked for are planes in which vertices (to 1e-9 of the diameter), faces, features, constraints,
