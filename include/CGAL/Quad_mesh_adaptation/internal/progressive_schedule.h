@@ -120,6 +120,16 @@ inline bool is_worth_halving(const Adaptation_state& s)
   return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003;
 }
 
+// Shapes are mended as long as that does not cost so many faces that halving does not pay.
+inline void enforce_before_halving(Adaptation_state& s, const Improvement_options& clean)
+{
+  enforce_sizes(s, clean, 16);
+  if(!is_worth_halving(s)) return;
+  Mesh_keeper unmended(s);
+  enforce_sizes_and_shapes(s, clean);
+  if(!is_worth_halving(s)) unmended.restore();
+}
+
 // What the first larger sizes were met from, where halving would fold faces of their mesh.
 struct Refused_octave
 {
@@ -141,7 +151,7 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
   for(; octaves > 0; --octaves) {
     Mesh_keeper input(s);
     approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
-    if(use.last_resorts) enforce_sizes_and_shapes(s, clean);
+    if(use.last_resorts) enforce_before_halving(s, clean);
     const bool is_full =
         is_worth_halving(s) && (s.mesh.number_of_faces() > given_faces || is_made_to_cover(s));
     if(is_full && (!use.trial_halving || is_made_to_halve_well(s))) return octaves;
