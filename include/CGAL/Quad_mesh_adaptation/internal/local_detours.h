@@ -39,7 +39,7 @@ public:
     first_steps_[0].swap = first_steps_[0].rotate = true;
     first_steps_[1].close = true;
     first_steps_[2].border = first_steps_[2].crease = true;
-    first_steps_[3].open = true;
+    first_steps_[3].open = first_steps_[3].corner = true;
   }
 
   void operator()()

@@ -219,7 +219,7 @@ private:
     if(border ? m.vertex(v).ideal_faces < 2 : m.vertex(v).carrier != Carrier::curve) return;
     for(Index h : out_)
       if(border || (m.curve(h) >= 0 && m.curve(m.prev(h)) >= 0)) {
-        collect_corner_split(h);
+        if(options_.corner) collect_corner_split(h);
         collect_insertion(v, m.face(h));
       }
   }

@@ -101,6 +101,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   const Energy_weights energy = s.energy;
   Improvement_options mending = o;
   mending.keep_within_size = true;
+  mending.corner = true;
   mending.valence_gain = -1e9; // swaps for the sake of shapes, too
   s.smoothing.keep_within_size = true;
   Mending_splits split(s);
