@@ -66,8 +66,8 @@ public:
   /// Faces that leave the surface by at most about `error`, in units of the coordinates.
   ///
   /// A line of length L along the larger principal curvature does so by k L^2 / 8.  Sizes bound the
-  /// mean edge h of a face; its diagonals and single edges are longer, L = 1.45 h.  So
-  /// h = 2 sqrt(e (2 / k - e)) / 1.45, about 2 sqrt(e / k), k being a little more where the surface
+  /// mean edge h of a face; its diagonals and single edges are longer, L = 1.48 h.  So
+  /// h = 2 sqrt(e (2 / k - e)) / 1.48, about 2 sqrt(e / k), k being a little more where the surface
   /// bends to the same side in both directions.  The folds between the flat faces of the mesh count
   /// as they come to lie under such a line: where faces become smaller than those of the mesh, a
   /// fold by the angle t asks for L = 4 e / t.  This holds for faces that stay on the mesh as it

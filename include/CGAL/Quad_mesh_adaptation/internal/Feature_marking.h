@@ -10,6 +10,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -18,6 +19,36 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
+
+// The turn of the surface across the edge of h, in radians; none on the border.
+inline double turn_across(const Adaptation_state& s, Index h)
+{
+  const Index o = s.mesh.opposite(h);
+  if(o < 0) return 0;
+  const Vec a = area_vector(s.corners(s.mesh.face(h))), b = area_vector(s.corners(s.mesh.face(o)));
+  return std::atan2(norm(cross(a, b)), a * b);
+}
+
+// The mesh of a state for `Stray_creases`; features are the edges with a curve number.
+struct State_with_creases
+{
+  Adaptation_state& state;
+
+  Index vertex_end() const { return state.mesh.vertex_end(); }
+  Index halfedge_end() const { return 4 * state.mesh.face_end(); }
+  Index origin(Index h) const { return state.mesh.origin(h); }
+  Index target(Index h) const { return state.mesh.target(h); }
+  Index opposite(Index h) const { return state.mesh.opposite(h); }
+  Index across(Index h) const { return Quad_complex::next(Quad_complex::next(h)); }
+  double turn(Index h) const { return turn_across(state, h); }
+  double length(Index h) const
+  {
+    return distance(state.mesh.point(origin(h)), state.mesh.point(target(h)));
+  }
+  bool is_feature(Index h) const { return state.mesh.curve(h) >= 0; }
+  void forget(Index h) { state.mesh.set_curve(h, -1); }
+  bool is_held(Index v) const { return state.mesh.vertex(v).frozen; }
+};
 
 // Finds the border, creases and what the caller has marked, and the corners where these end, meet
 // or turn.
@@ -55,7 +86,8 @@ public:
       m.set_curve(h, 0);
       detected[h] = detected[m.opposite(h)] = 1;
     }
-    Stray_creases(s_, detected)();
+    State_with_creases surface{ s_ };
+    Stray_creases<State_with_creases>(surface, detected)();
   }
 
   void mark_corners()

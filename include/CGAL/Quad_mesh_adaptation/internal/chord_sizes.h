@@ -25,7 +25,7 @@ inline double chord_curvature(const Principal_curvatures& k)
 {
   return k.largest + 0.18 * (std::max)(k.other, 0.);
 }
-constexpr double longest_chord = 1.45; // of the mean edge
+constexpr double longest_chord = 1.48; // of the mean edge
 
 // The largest L for which a line of length L is off the folds by no more than the error.
 inline double longest_line(const Fold_curvature& folds, double error)

@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Feature_turns.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Principal_curvatures.h>
+#include <CGAL/Quad_mesh_adaptation/internal/feature_edges.h>
 
 #include <Eigen/Dense>
 
@@ -27,10 +28,10 @@ namespace internal {
 class Curvature_estimator
 {
 public:
-  // Edges across which the surface turns by at least the angle of `cos_feature`, and constrained
-  // ones, are feature curves.
+  // Feature curves are those of `feature_edges()`.
   Curvature_estimator(const Face_arrays& mesh, double cos_feature)
-      : mesh_(mesh), cos_feature_(cos_feature), visit_(mesh.first.size(), -1)
+      : mesh_(mesh), cos_feature_(cos_feature), is_feature_(feature_edges(mesh, cos_feature)),
+        visit_(mesh.first.size(), -1)
   {
     for(Index f = 0; f < mesh.number_of_faces(); ++f) {
       const Vec a = mesh.area_vector(f);
@@ -38,7 +39,6 @@ public:
       normals_.push_back(normalized(a));
       centres_.push_back(mesh.centre(f));
     }
-    for(Index h = 0; h < mesh.number_of_halfedges(); ++h) is_feature_.push_back(turns(h));
   }
 
   std::vector<Principal_curvatures> operator()()
@@ -63,13 +63,6 @@ public:
   const std::vector<char>& features() const { return is_feature_; }
 
 private:
-  bool turns(Index h) const
-  {
-    const Index o = mesh_.opposite[h];
-    return o < 0 || mesh_.is_constrained[h] ||
-           normals_[mesh_.face[h]] * normals_[mesh_.face[o]] < cos_feature_;
-  }
-
   // The neighbours of the faces, once or until there are enough for a fit that forgives noise.
   void grow(std::vector<Index>& faces, Index sector)
   {
@@ -146,9 +139,9 @@ private:
 
   const Face_arrays& mesh_;
   double cos_feature_;
+  std::vector<char> is_feature_;
   std::vector<double> areas_;
   std::vector<Vec> normals_, centres_;
-  std::vector<char> is_feature_;
   std::vector<Index> visit_;
 };
 
