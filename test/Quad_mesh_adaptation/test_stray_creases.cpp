@@ -3,11 +3,18 @@
 
 #include "support/state_fixture.h"
 
+#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/feature_edges.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -83,6 +90,30 @@ Adaptation_state with_reference(const Shape& shape, const Shape& surface)
   s.size = core::Size_sampler([](const Vec&) { return 1.; }, 1);
   core::State_builder(input_of(shape, Options()), core::Feature_options(), s)(geometry);
   return s;
+}
+
+using Edges = std::set<std::pair<Index, Index>>; // by their ends, lower one first
+
+Edges features_of_state(const Adaptation_state& s)
+{
+  Edges edges;
+  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h)
+    if(s.mesh.curve(h) >= 0) edges.insert(std::minmax(s.mesh.origin(h), s.mesh.target(h)));
+  return edges;
+}
+
+Edges features_of_fields(const Shape& shape, double degrees)
+{
+  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  const Mesh mesh = zoo_mesh::make<Mesh, Mesh::Point>(shape);
+  const core::Face_arrays a = core::face_arrays(mesh, get(CGAL::vertex_point, mesh),
+                                                core::No_constraints<Mesh::Edge_index>(), "test");
+  const std::vector<char> is_feature =
+      core::feature_edges(a, std::cos(degrees * std::acos(-1.) / 180));
+  Edges edges;
+  for(Index h = 0; h < a.number_of_halfedges(); ++h)
+    if(is_feature[h]) edges.insert(std::minmax(a.origin[h], a.origin[a.next(h)]));
+  return edges;
 }
 
 } // namespace
@@ -165,4 +196,14 @@ TEST(Stray_creases, ThoseOfTheReferenceStay)
   const Adaptation_state s = with_reference(coarse, unit);
   EXPECT_EQ(inner_feature_edges(s), 12u);
   EXPECT_EQ(s.curves.size(), 12u);
+}
+
+// What curvature fields stop at is what adaptation stops at.
+TEST(Stray_creases, FieldsHaveTheSameFeatures)
+{
+  for(const Shape& shape : { sharp_roof(), round_roof(), step(), shape_zoo::cube(3) })
+    for(double degrees : { 20., 40., 50. })
+      EXPECT_EQ(features_of_fields(shape, degrees),
+                features_of_state(make_state(shape, at(degrees))))
+          << shape.name << ", " << degrees;
 }

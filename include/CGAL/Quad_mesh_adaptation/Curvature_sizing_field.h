@@ -27,10 +27,12 @@ namespace Quad_mesh_adaptation {
 /// a full circle or a given chord error.
 ///
 /// The curvature is estimated at the vertices of a mesh of the surface, on each side of creases and
-/// borders on its own; the largest counts, and that of creases and borders as curves.  Between the
-/// vertices the sizes are interpolated as by `Nodal_sizing_field`, and like that the field keeps
-/// what it needs.  Sizes may change fast from one vertex to the next: `Graded_sizing_field` is
-/// meant to be put on top.
+/// borders on its own; the largest counts, and that of creases and borders as curves.  Creases are
+/// the edges that turn by more than `feature_angle()` and constrained ones; those detected ones
+/// that adaptation takes back, since a coarse mesh of a round turns so, are none here either.
+/// Between the vertices the sizes are interpolated as by `Nodal_sizing_field`, and like that the
+/// field keeps what it needs.  Sizes may change fast from one vertex to the next:
+/// `Graded_sizing_field` is meant to be put on top.
 ///
 /// Estimates are exact on spheres and cylinders up to the difference between an arc and its chord.
 /// A curvature that the mesh does not show is not seen; noise of the vertices counts as curvature.

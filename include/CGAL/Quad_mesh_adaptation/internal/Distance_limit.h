@@ -144,7 +144,7 @@ private:
     const std::size_t n = p.size() - 1;
     for(std::size_t i = c.is_closed() ? 0 : 1; i < n; ++i) {
       const Vec a = p[i] - p[i == 0 ? n - 1 : i - 1], b = p[i + 1] - p[i];
-      const double turn = std::atan2(norm(cross(a, b)), a * b);
+      const double turn = angle_between(a, b);
       if(turn < 1e-9) continue;
       const double side = (norm(a) + norm(b)) / 2, h = size_for(turn / side, side);
       for(Index v : surface_.triangles()[triangle_at(p[i])]) limit_[v] = (std::min)(limit_[v], h);

@@ -10,7 +10,6 @@
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -26,7 +25,7 @@ inline double turn_across(const Adaptation_state& s, Index h)
   const Index o = s.mesh.opposite(h);
   if(o < 0) return 0;
   const Vec a = area_vector(s.corners(s.mesh.face(h))), b = area_vector(s.corners(s.mesh.face(o)));
-  return std::atan2(norm(cross(a, b)), a * b);
+  return angle_between(a, b);
 }
 
 // The mesh of a state for `Stray_creases`; features are the edges with a curve number.

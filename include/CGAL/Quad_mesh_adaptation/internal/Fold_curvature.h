@@ -48,7 +48,7 @@ public:
     std::vector<Index> faces;
     for(Index g : fan) {
       const Vec a = mesh_.target(g) - middle_, b = mesh_.source(mesh_.prev(g)) - middle_;
-      angle_ += std::atan2(norm(cross(a, b)), a * b);
+      angle_ += angle_between(a, b);
       area += norm(cross(a, b)) / 6;
       faces.push_back(mesh_.face[g]);
     }

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -129,7 +128,7 @@ private:
     const auto& c = triangles_[t];
     const Vec a = points_[c[(i + 1) % 3]] - points_[c[i]],
               b = points_[c[(i + 2) % 3]] - points_[c[i]];
-    return std::atan2(norm(cross(a, b)), a * b);
+    return angle_between(a, b);
   }
 
   void attach(const Hermite_edges& curves)

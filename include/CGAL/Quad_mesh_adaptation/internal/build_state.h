@@ -217,7 +217,7 @@ private:
     const Quad_complex& m = s_.mesh;
     const Vec p = m.point(m.origin(h));
     const Vec a = m.point(m.target(h)) - p, b = m.point(m.origin(m.prev(h))) - p;
-    const double angle = std::atan2(norm(cross(a, b)), a * b);
+    const double angle = angle_between(a, b);
     const bool reflex = cross(a, b) * area_vector(s_.corners(m.face(h))) < 0;
     return reflex ? 2 * pi - angle : angle;
   }

@@ -40,7 +40,7 @@ inline std::vector<Curve_bend> bends_of(const Feature_curve& c)
   std::vector<Curve_bend> bends;
   for(std::size_t i = c.is_closed() ? 0 : 1; i < n; ++i) {
     const Vec a = p[i] - p[i == 0 ? n - 1 : i - 1], b = p[i + 1] - p[i];
-    const double turn = std::atan2(norm(cross(a, b)), a * b), la = norm(a), lb = norm(b);
+    const double turn = angle_between(a, b), la = norm(a), lb = norm(b);
     if(turn * turn / 8 > curve_loss_allowed)
       bends.push_back({ c.arcs()[i], (std::min)(la, lb), 0.5 * (la + lb), turn });
   }

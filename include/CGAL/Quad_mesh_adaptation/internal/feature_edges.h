@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FEATURE_EDGES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
+#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 
 #include <cmath>
@@ -39,9 +40,7 @@ public:
   double turn(Index h) const
   {
     const Index o = mesh_.opposite[h];
-    if(o < 0) return 0;
-    const Vec &a = areas_[mesh_.face[h]], &b = areas_[mesh_.face[o]];
-    return std::atan2(norm(cross(a, b)), a * b);
+    return o < 0 ? 0. : angle_between(areas_[mesh_.face[h]], areas_[mesh_.face[o]]);
   }
   double length(Index h) const { return distance(mesh_.source(h), mesh_.target(h)); }
   bool is_feature(Index h) const { return is_feature_[h]; }
@@ -63,9 +62,11 @@ inline std::vector<char> feature_edges(const Face_arrays& mesh, double cos_featu
   Arrays_with_creases surface(mesh, is_feature);
   const double angle = cos_feature < -1 ? 4. : std::acos(cos_feature);
   for(Index h = 0; h < mesh.number_of_halfedges(); ++h) {
-    const bool is_given = mesh.opposite[h] < 0 || mesh.is_constrained[h];
-    detected[h] = !is_given && surface.turn(h) > angle;
-    is_feature[h] = is_given || detected[h];
+    const Index o = mesh.opposite[h];
+    if(o < 0 || mesh.is_constrained[h])
+      is_feature[h] = 1;
+    else if(o > h && surface.turn(h) > angle)
+      is_feature[h] = is_feature[o] = detected[h] = detected[o] = 1;
   }
   Stray_creases<Arrays_with_creases>(surface, detected)();
   return is_feature;

@@ -44,6 +44,11 @@ inline Vec normalized(const Vec& a)
   const double n = norm(a);
   return n > 0 ? a / n : Vec(0, 0, 0);
 }
+// In radians, up to pi; 0 if one of them is zero.
+inline double angle_between(const Vec& a, const Vec& b)
+{
+  return std::atan2(norm(cross(a, b)), a * b);
+}
 inline bool is_finite(const Vec& a)
 {
   return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());

@@ -50,7 +50,7 @@ inline double turn_per_face(const Adaptation_state& s, Index h)
             b = area_vector(s.corners(m.face(m.opposite(h))));
   const Vertex_record &u = m.vertex(m.origin(h)), &v = m.vertex(m.target(h));
   const double way = 0.25 * (norm(a) + norm(b)) / distance(u.p, v.p); // between their centres
-  return std::atan2(norm(cross(a, b)), a * b) * 0.5 * (u.h + v.h) / way;
+  return angle_between(a, b) * 0.5 * (u.h + v.h) / way;
 }
 
 // How often the sizes may be doubled, at most `most` times, before the surface turns by too much

@@ -19,7 +19,7 @@ inline double corner_angle(const Quad_complex& m, Index h)
 {
   const Vec& p = m.point(m.origin(h));
   const Vec a = m.point(m.target(h)) - p, b = m.point(m.origin(m.prev(h))) - p;
-  return std::atan2(norm(cross(a, b)), a * b);
+  return angle_between(a, b);
 }
 
 // The angle between the two feature edges that enclose the corner of half-edge h, over all faces
