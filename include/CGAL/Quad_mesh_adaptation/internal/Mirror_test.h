@@ -34,13 +34,15 @@ public:
   {
   }
 
-  // Could the plane through the centre be one?  Looks at a few vertices only, and at the sizes at
-  // some hundreds, so that a change of the sizes in a small place costs no more than that.
+  // Could the plane through the centre be one?  Looks at a few vertices only, for a face on both
+  // sides, and at the sizes at some hundreds of vertices, so that a change of the sizes in a small
+  // place costs no more than that.
   bool is_plausible(const Vec& normal)
   {
     if(!lookup_) lookup_.emplace(in_.points, tolerance_); // often there is no question
     const Mirror_plane p = plane_through_centre(normal);
-    return maps_some(p, 7, false) && maps_some(p, s_.size.is_constant() ? 50 : 500, true);
+    return maps_some(p, 7, false) && !cuts_a_face(p) &&
+           maps_some(p, s_.size.is_constant() ? 50 : 500, true);
   }
 
   // The plane through the centre with all that is mapped by it, if it is a mirror plane.
@@ -67,6 +69,27 @@ private:
         return false;
     }
     return true;
+  }
+
+  // The lowest and the highest of a face, or 0.
+  std::pair<double, double> heights(const Mirror_plane& p, const Quad& q) const
+  {
+    double low = 0, high = 0;
+    for(Index v : q) {
+      low = (std::min)(low, p.height(in_.points[v]));
+      high = (std::max)(high, p.height(in_.points[v]));
+    }
+    return { low, high };
+  }
+
+  // Far beyond what the plane, which is not fitted yet, may be off.
+  bool cuts_a_face(const Mirror_plane& p) const
+  {
+    const double far = 1000 * tolerance_;
+    return std::any_of(in_.quads.begin(), in_.quads.end(), [&](const Quad& q) {
+      const auto [low, high] = heights(p, q);
+      return low < -far && high > far;
+    });
   }
 
   static bool differ(double a, double b) { return !(std::abs(a - b) <= accuracy * a); }
@@ -131,11 +154,7 @@ private:
   {
     p.side.resize(in_.quads.size());
     for(std::size_t f = 0; f < in_.quads.size(); ++f) {
-      double low = 0, high = 0;
-      for(Index v : in_.quads[f]) {
-        low = (std::min)(low, p.height(in_.points[v]));
-        high = (std::max)(high, p.height(in_.points[v]));
-      }
+      const auto [low, high] = heights(p, in_.quads[f]);
       if((low < -tolerance_) == (high > tolerance_)) return false;
       p.side[f] = high > tolerance_ ? 1 : -1;
     }

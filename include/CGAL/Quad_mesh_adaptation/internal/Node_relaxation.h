@@ -48,6 +48,9 @@ public:
   // that is less.
   double worst() const { return worst_; }
 
+  // The share of an edge from which on a move counts; valid after one.
+  double wake() const { return wake_; }
+
   double objective(const Vertex_record& r) const { return evaluate(r).value; }
 
 private:
@@ -128,6 +131,7 @@ private:
       }
       if(!sized) continue;
       const double h = f.target(r.h), ratio = 0.25 * (t.l1 + t.l3 + f.l) / h;
+      if(ratio > e.largest) e.largest = ratio;
       double d1, d2;
       e.value += size_cost(w, ratio, d1, d2);
       if(m) add_size_slopes(f, t, h, ratio, d1, d2, *m);
@@ -220,7 +224,9 @@ private:
     double length = 0;
     for(int i = 0; i < dofs; ++i) length += step[i] * step[i];
     length = std::sqrt(length);
-    if(!(length > 0.25 * s_.smoothing.wake * reach)) return false; // not worth a trial
+    const Smoothing_weights& w = s_.smoothing;
+    wake_ = w.hinge > 0 && before.largest > 1 ? (std::min)(w.wake, w.pressed_wake) : w.wake;
+    if(!(length > 0.25 * wake_ * reach)) return false; // not worth a trial
     double scale = (std::min)(1., 0.5 * reach / length);
     for(int attempt = 0; attempt < 4; ++attempt, scale *= 0.35) {
       Vertex_record t = r;
@@ -246,7 +252,7 @@ private:
   const Adaptation_state& s_;
   std::vector<Star_face> star_;
   std::vector<Pull> pulls_;
-  double worst_ = 1;
+  double worst_ = 1, wake_ = 0;
   mutable Vec t_[2];
 };
 

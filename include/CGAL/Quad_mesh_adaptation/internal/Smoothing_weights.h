@@ -16,6 +16,7 @@ struct Smoothing_weights
   double hinge = 0; // switched on for the last sweeps
   double hinge_at = 0.985;
   double wake = 0.003;           // neighbours look again after moves above this share of an edge
+  double pressed_wake = 0.003;   // the same about a face that is too large, under a hinge
   double stir = 0.02;            // and operations about the node are tried again above this one
   bool keep_within_size = false; // no move leaves a face above its size that was not
   double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)

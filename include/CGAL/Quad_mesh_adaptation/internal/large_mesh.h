@@ -6,6 +6,8 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
@@ -18,6 +20,24 @@ constexpr Index large_mesh = 5000;
 inline Index large_part(const Adaptation_state& s) { return large_mesh / Index(s.copies); }
 
 inline bool is_large(const Adaptation_state& s) { return s.mesh.number_of_faces() > large_part(s); }
+
+// As long as it lives, moves of the nodes of a large mesh do not spread far: it has been smoothed
+// everywhere, and what is left to gain by small moves is not worth a visit of all nodes.
+class Short_smoothing
+{
+public:
+  explicit Short_smoothing(Adaptation_state& s) : s_(s), fine_(s.smoothing.wake)
+  {
+    constexpr double coarse = 0.02;
+    if(is_large(s)) s.smoothing.wake = (std::max)(fine_, coarse);
+  }
+  Short_smoothing(const Short_smoothing&) = delete;
+  ~Short_smoothing() { s_.smoothing.wake = fine_; }
+
+private:
+  Adaptation_state& s_;
+  double fine_;
+};
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

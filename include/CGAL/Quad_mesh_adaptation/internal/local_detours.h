@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -82,14 +83,34 @@ private:
     return false;
   }
 
+  // What a trial starts from.  It stays valid for the next one unless there is a better mesh.
+  struct Start
+  {
+    double demerits;
+    std::size_t too_large;
+    std::vector<char> stirred, restless;
+  };
+
+  void begin()
+  {
+    if(!start_)
+      start_ = Start{ demerits_here(), faces_too_large(s_).size(), s_.stirred, s_.restless };
+    if(!mesh_) mesh_.emplace(s_);
+  }
+
+  void go_back()
+  {
+    mesh_->restore();
+    mesh_.reset();
+    s_.stirred = start_->stirred;
+    s_.restless = start_->restless;
+  }
+
   bool is_better_after(Index f, Index v, const Improvement_options& first)
   {
     s_.check_cancelled();
-    const double before = demerits_here();
-    const std::size_t too_large = faces_too_large(s_).size();
-    const std::vector<char> stirred = s_.stirred, restless = s_.restless,
-                            near = nodes_around(s_.mesh, { f }, 3);
-    Mesh_keeper mesh(s_);
+    begin();
+    const std::vector<char> near = nodes_around(s_.mesh, { f }, 3);
     if(!Local_improvement(s_, first).improve_at(v)) return false;
     --trials_left_;
     const Smoothing_weights smoothing = s_.smoothing;
@@ -102,12 +123,15 @@ private:
     s_.forget_energies();
     improve(near, 2);
     s_.smoothing = smoothing;
-    if(faces_too_large(s_).size() <= too_large && demerits_here() < before - s_.energy.min_gain)
-      return true;
-    mesh.restore();
-    s_.stirred = stirred;
-    s_.restless = restless;
-    return false;
+    const bool is_better = faces_too_large(s_).size() <= start_->too_large &&
+                           demerits_here() < start_->demerits - s_.energy.min_gain;
+    if(is_better) {
+      start_.reset();
+      mesh_.reset();
+    } else {
+      go_back();
+    }
+    return is_better;
   }
 
   // Operations about the marked nodes, and those that are new since.
@@ -131,6 +155,8 @@ private:
   Improvement_options options_;
   std::size_t trials_left_;
   std::vector<Improvement_options> first_steps_;
+  std::optional<Start> start_;
+  std::optional<Mesh_keeper> mesh_;
 };
 
 // The last resorts in turn: sizes first, then shapes, again where one has undone the other, and the

@@ -75,14 +75,21 @@ private:
         break;
       }
     for(const Mirror_plane& p : found_)
-      if(norm(cross(p.normal, n)) < 1e-6) return;
-    const bool is_of_mesh = norm(normal_) > 0 && norm(cross(n, normal_)) < 1e-6;
-    if(is_of_mesh || means_.rule_out(n) || !test_.is_plausible(n)) return;
-    ++tests_;
+      if(are_parallel(p.normal, n)) return;
+    const bool is_of_mesh = norm(normal_) > 0 && are_parallel(n, normal_);
+    if(is_of_mesh || means_.rule_out(n) || is_refused(n) || !test_.is_plausible(n)) return;
     std::optional<Mirror_plane> p = test_(n);
-    if(!p) return;
+    if(!p) return refused_.push_back(n);
     found_.push_back(std::move(*p));
     try_right_angles();
+  }
+
+  static bool are_parallel(const Vec& a, const Vec& b) { return norm(cross(a, b)) < 1e-6; }
+
+  bool is_refused(const Vec& n) const
+  {
+    return std::any_of(refused_.begin(), refused_.end(),
+                       [&](const Vec& r) { return are_parallel(r, n); });
   }
 
   // Where there are many planes through one line, those at right angles to each other are not
@@ -155,7 +162,7 @@ private:
       for(std::size_t i = shell.first; i < shell.last; ++i) {
         const Vec d = points_[by_distance[i].second] - points_[v];
         if(!(norm(d) > 1e-6 * reach_)) continue;
-        if(++candidates > most_candidates || tests_ > most_tests) return;
+        if(++candidates > most_candidates || found_.size() + refused_.size() > most_tests) return;
         const std::size_t before = found_.size();
         try_plane(normalized(d));
         if(found_.size() > before && is_complete()) return;
@@ -219,8 +226,8 @@ private:
   Size_means means_;
   Mirror_test test_;
   Vec normal_ = Vec(0, 0, 0); // of a flat mesh
-  std::size_t tests_ = 0;
   std::vector<Mirror_plane> found_;
+  std::vector<Vec> refused_; // normals of others that were plausible
 };
 
 // Planes in which the input, its constraints and its sizes are mirror images of themselves and

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
+#include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
@@ -172,6 +173,7 @@ inline void descend_one_octave(Adaptation_state& s, const Improvement_options& c
 {
   halve_all(s, 0); // all nodes move in the end, and those between smooth ones lie well until then
   refine_progressively(s, clean, max_passes, use);
+  const Short_smoothing coarse(s);
   if(use.local_operations) polish(s, clean, 1, 0);
 }
 

@@ -19,6 +19,7 @@ struct Evaluation
 {
   double value = 0, worst = 1; // worst corner t = 2 D / N
   int inverted = 0;            // faces
+  double largest = 0;          // size ratio
 };
 
 // A corner's measure t = 2 D / N and the derivatives of its cost in t.

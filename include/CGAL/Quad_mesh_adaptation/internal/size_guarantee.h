@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
+#include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 
@@ -133,6 +134,7 @@ inline void settle(Adaptation_state& s, Improvement_options o, int rounds,
 {
   o.keep_within_size = true;
   s.smoothing.keep_within_size = true;
+  const Short_smoothing coarse(s);
   touched.wake();
   for(int round = 0; round < rounds; ++round) {
     smooth(s, 4);

@@ -161,7 +161,7 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
   const double edge = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
   const double way = distance(r.p, old.p);
   if(way > s.smoothing.stir * edge) s.stir(v);
-  return way > s.smoothing.wake * edge;
+  return way > relax.wake() * edge;
 }
 
 // The nodes of all faces about v are worth a visit.
