@@ -20,12 +20,14 @@ struct Face_caches
   mutable Face_values<double> ratios;   // see size_ratio()
   Face_values<float> factors;           // see size_factor()
   std::vector<std::uint8_t> factor_age; // moves of its corners since then
+  mutable Face_values<float> qualities; // see known_quality(); none unless shapes are mended
 
   // A corner of face f has moved.
   void face_moved(Index f)
   {
     energies.forget(f);
     ratios.forget(f);
+    qualities.forget(f);
     if(f < Index(factor_age.size()) && factor_age[f] < 255) ++factor_age[f];
   }
   // Face f is another one now.
@@ -33,6 +35,7 @@ struct Face_caches
   {
     energies.forget(f);
     ratios.forget(f);
+    qualities.forget(f);
     factors.forget(f);
   }
   void forget_energies() { energies.forget_all(); }
@@ -45,6 +48,7 @@ struct Face_caches
   {
     forget_sizes();
     factors.forget_all();
+    qualities.forget_all();
     factor_age.clear();
   }
   // Before threads ask: nothing has to grow then.

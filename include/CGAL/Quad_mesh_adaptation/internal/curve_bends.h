@@ -9,6 +9,7 @@
 // the input that sit there are held there; where the edges are short against those of the polyline,
 // the nearest nodes are moved there before the end.
 
+#include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 
 #include <algorithm>
@@ -104,6 +105,7 @@ public:
       moves.push_back({ v, b.arc });
     });
     const std::size_t all = moves.size();
+    const Short_smoothing coarse(s_);
     for(int round = 0; round < 6 && !moves.empty(); ++round) {
       moves.erase(
           std::remove_if(moves.begin(), moves.end(), [&](const Move& m) { return has_arrived(m); }),

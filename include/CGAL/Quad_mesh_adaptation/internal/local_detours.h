@@ -171,6 +171,7 @@ inline void enforce_sizes_and_shapes(Adaptation_state& s, const Improvement_opti
   }
   Local_detours local(s, o);
   local();
+  s.qualities = Face_values<float>(); // their memory is needed
 }
 
 } // namespace internal

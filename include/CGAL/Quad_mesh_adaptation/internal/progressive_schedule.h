@@ -88,6 +88,17 @@ inline void polish(Adaptation_state& s, const Improvement_options& clean, int ro
   s.smoothing.hinge = hinge;
 }
 
+// The same after nodes have gone to the bends of their curves; in a large mesh about these only.
+inline void polish_about_bends(Adaptation_state& s, const Improvement_options& clean)
+{
+  if(!is_large(s)) return polish(s, clean, 1, 0);
+  const Short_smoothing coarse(s);
+  const double hinge = s.smoothing.hinge;
+  s.smoothing.hinge = 2000;
+  clean_up_stirred(s, clean, 6, 4);
+  s.smoothing.hinge = hinge;
+}
+
 // Takes whole rows out that the sizes can do without.
 inline std::size_t spare_rows(Adaptation_state& s)
 {
@@ -191,7 +202,7 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
   }
   s.progress = 0.9;
   s.surface.forget_tree(); // coarse faces ask it, fine ones hardly ever
-  if(Curve_bends(s).fit() > 0 && use.local_operations) polish(s, clean, 1, 0);
+  if(Curve_bends(s).fit() > 0 && use.local_operations) polish_about_bends(s, clean);
   if(use.last_resorts) {
     enforce_sizes_and_shapes(s, clean);
     // curves whose edges have been split can have gained a node for every bend

@@ -17,6 +17,14 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+inline double known_quality(const Adaptation_state& s, Index f)
+{
+  if(!s.qualities.is_known(f))
+    s.qualities.set(f, float(s.face_quality(s.corners(f), s.reference_normal(f))),
+                    s.mesh.face_end());
+  return s.qualities[f];
+}
+
 // Faces below `least`, and those about crowded nodes, where the mesh is worked on.
 inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
 {
@@ -28,9 +36,7 @@ inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
     if(!m.is_face(f)) continue;
     const Quad q = m.quad(f);
     if(!std::all_of(q.begin(), q.end(), worked_on)) continue;
-    if(s.face_quality(s.corners(f), s.reference_normal(f)) < least ||
-       std::any_of(q.begin(), q.end(), crowded))
-      list.push_back(f);
+    if(known_quality(s, f) < least || std::any_of(q.begin(), q.end(), crowded)) list.push_back(f);
   }
   return list;
 }
@@ -42,7 +48,7 @@ constexpr double shape_floor = 0.58; // of the quality of faces
 inline double shape_fault(const Adaptation_state& s, Index f)
 {
   constexpr double useless = 0.15, times = 10;
-  const double quality = s.face_quality(s.corners(f), s.reference_normal(f));
+  const double quality = known_quality(s, f);
   return (std::max)(shape_floor - quality, 0.) + times * (std::max)(useless - quality, 0.);
 }
 
