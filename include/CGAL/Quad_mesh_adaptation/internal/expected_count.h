@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_EXPECTED_COUNT_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_EXPECTED_COUNT_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Attainable_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
 
 #include <algorithm>
@@ -14,12 +15,10 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Edges that the curves ask for: their lengths in units of the size; and what curves shorter than
-// their fewest edges are given beyond that.
+// Edges that the curves ask for: their lengths in units of the size, or their fewest edges.
 struct Curve_edges
 {
   double border = 0, inner = 0;
-  double forced_on_border = 0, forced_inside = 0;
 };
 
 inline double length_in_sizes(const Feature_curve& c, const Size_sampler& size)
@@ -36,11 +35,9 @@ inline double length_in_sizes(const Feature_curve& c, const Size_sampler& size)
 inline Curve_edges curve_edges(const Adaptation_state& s)
 {
   Curve_edges sum;
-  for(const Feature_curve& c : s.curves) {
-    const double length = length_in_sizes(c, s.size), fewest = c.is_closed() ? 3. : 1.;
-    (c.is_border() ? sum.border : sum.inner) += (std::max)(length, fewest);
-    (c.is_border() ? sum.forced_on_border : sum.forced_inside) += (std::max)(fewest - length, 0.);
-  }
+  for(const Feature_curve& c : s.curves)
+    (c.is_border() ? sum.border : sum.inner) +=
+        (std::max)(length_in_sizes(c, s.size), fewest_edges(c));
   return sum;
 }
 
@@ -70,25 +67,21 @@ inline double count_of_even_halvings(const Adaptation_state& s)
 // - a border rounds the rows along it up to whole faces, and a crease holds the pattern on both of
 //   its sides to the same edges;
 // - where the size grows, irregular vertices cost;
-// - edges that short curves force have small faces beside them, on both sides and for some way if
-//   there is room.
+// - where faces cannot be as large as asked, see Attainable_sizes, there are more of them.
 // `scale`: what the sizes in the state are multiplied by.
 inline double expected_count(const Adaptation_state& s, double ideal_number_of_faces,
                              double mean_square_slope, double scale)
 {
   constexpr double per_face = 1.067, per_border_edge = 0.06, per_inner_edge = 0.6, per_slope = 0.41;
-  constexpr double per_forced_on_border = 0.85, per_forced_inside = 4, room = 0.6;
   if(is_adapted(s)) return double(s.mesh.number_of_faces());
   const double even = count_of_even_halvings(s);
   // the schedule takes rows out again where halving leaves far too many
   if(even > 0 && ideal_number_of_faces / (scale * scale) > 0.75 * even) return even;
   const Curve_edges edges = curve_edges(s);
   const double faces =
-      (per_face + per_slope * mean_square_slope) * ideal_number_of_faces / (scale * scale);
-  const double forced = per_forced_on_border * edges.forced_on_border +
-                        (std::min)(per_forced_inside * edges.forced_inside, room * faces);
-  return (std::max)(1.,
-                    faces + per_border_edge * edges.border + per_inner_edge * edges.inner + forced);
+      (per_face + per_slope * mean_square_slope) * ideal_number_of_faces / (scale * scale) +
+      per_face * Attainable_sizes(s).forced_faces();
+  return (std::max)(1., faces + per_border_edge * edges.border + per_inner_edge * edges.inner);
 }
 
 } // namespace internal
