@@ -17,28 +17,11 @@ namespace Quad_mesh_adaptation {
 
 namespace internal {
 
-// Tells a chain of named parameters from a mesh.
-template <typename T>
-struct is_named_parameters : std::false_type
-{
-};
-template <typename T, typename Tag, typename Base>
-struct is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
-{
-};
-template <typename T>
-struct is_named_parameters<const T> : is_named_parameters<T>
-{
-};
-
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters>
 Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const SizingField& sizing,
                               QuadMesh& mesh, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const std::size_t iterations = choose_parameter(
-      get_parameter(np, internal_np::number_of_iterations), default_number_of_iterations);
+  const std::size_t iterations = decode_iterations(np);
   const bool paper = is_paper_schedule(np);
   return run_on_mesh(faces, is_region, sizing, mesh, np, Call_kind{ paper, !paper, !paper },
                      [&](Adaptation_state& s, Adaptation_report&) {

@@ -20,6 +20,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 
@@ -44,7 +45,7 @@ double mean_edge(const Mesh& mesh) { return zoo_mesh::mean_edge(zoo_mesh::shape_
 
 template <class NP = CGAL::parameters::Default_named_parameters>
 void expect_near(const std::string& name, Mesh mesh, const Size& size,
-                 const NP& np = CGAL::parameters::default_values())
+                 const NP& np = CGAL::parameters::default_values(), double tolerance = 0.12)
 {
   SCOPED_TRACE(name);
   const double expected = QMA::expected_number_of_faces(size, mesh, np);
@@ -52,12 +53,10 @@ void expect_near(const std::string& name, Mesh mesh, const Size& size,
   ASSERT_TRUE(report.has_valid_mesh()) << report.message;
   std::cout << name << ": " << report.before.faces << " faces, expected " << expected << ", got "
             << report.after.faces << std::endl;
-  const double formula = report.expected_number_of_faces;
-  EXPECT_NEAR(formula / double(report.after.faces), 1, 0.12);
-  if(formula <= QMA::most_rehearsed_faces) {
+  EXPECT_NEAR(expected / double(report.after.faces), 1, tolerance);
+  EXPECT_NEAR(report.expected_number_of_faces, expected, 1e-6 * expected);
+  if(expected <= 0.8 * QMA::most_rehearsed_faces) {
     EXPECT_EQ(expected, double(report.after.faces));
-  } else {
-    EXPECT_NEAR(expected, formula, 1e-6 * formula);
   }
 }
 
@@ -79,9 +78,8 @@ TEST(Expected_number_of_faces, OfSmallOutcomes)
       Mesh mesh = given;
       const double expected = QMA::expected_number_of_faces(h, given);
       const QMA::Adaptation_report report = QMA::adapt_quad_mesh(h, mesh);
-      if(report.expected_number_of_faces <= QMA::most_rehearsed_faces) {
-        EXPECT_EQ(expected, double(report.after.faces));
-      }
+      EXPECT_EQ(expected, report.expected_number_of_faces);
+      EXPECT_EQ(expected, double(report.after.faces));
       EXPECT_EQ(zoo_mesh::shape_of(given).quads, zoo_mesh::shape_of(mesh_of(shape)).quads);
     }
 }
@@ -97,6 +95,57 @@ TEST(Expected_number_of_faces, OfSmallOutcomesWithParameters)
       const double expected = QMA::expected_number_of_faces(h, given, np);
       EXPECT_EQ(expected, double(QMA::adapt_quad_mesh(h, mesh, np).after.faces));
     }
+}
+
+// The function takes what adapt_quad_mesh() takes.
+TEST(Expected_number_of_faces, OfSmallOutcomesWithMoreParameters)
+{
+  const auto expect_same = [](const std::string& name, Mesh mesh, double h, const auto& np) {
+    SCOPED_TRACE(name);
+    const double expected = QMA::expected_number_of_faces(h, mesh, np);
+    const QMA::Adaptation_report report = QMA::adapt_quad_mesh(h, mesh, np);
+    EXPECT_EQ(expected, double(report.after.faces));
+    EXPECT_EQ(expected, report.expected_number_of_faces);
+  };
+  const shape_zoo::Shape plate = shape_zoo::plate(12, 12);
+  Mesh halves = mesh_of(plate);
+  auto patch = halves.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
+  for(Mesh::Face_index f : halves.faces())
+    for(Mesh::Vertex_index v : vertices_around_face(halves.halfedge(f), halves))
+      if(halves.point(v).x() > 7.5) patch[f] = 1;
+  const double without = QMA::expected_number_of_faces(3., halves);
+  EXPECT_NE(QMA::expected_number_of_faces(3., halves, CGAL::parameters::face_patch_map(patch)),
+            without);
+  expect_same("patches", halves, 3, CGAL::parameters::face_patch_map(patch));
+  const Mesh sphere = mesh_of(shape_zoo::sphere(6)), torus = mesh_of(shape_zoo::torus());
+  expect_same("distance", sphere, 0.8, QMA::max_distance(0.02));
+  expect_same("smooth", torus, 0.5, QMA::smooth_reference(true));
+  expect_same("iterations", torus, 0.3, CGAL::parameters::number_of_iterations(1));
+}
+
+TEST(Expected_number_of_faces, OfARegion)
+{
+  Mesh mesh = mesh_of(shape_zoo::plate(12, 12));
+  std::vector<Mesh::Face_index> region;
+  for(Mesh::Face_index f : mesh.faces())
+    if(mesh.point(mesh.source(mesh.halfedge(f))).x() < 6) region.push_back(f);
+  for(double h : { 0.4, 3. }) {
+    Mesh copy = mesh;
+    const double expected = QMA::expected_number_of_faces(region, h, mesh);
+    EXPECT_EQ(expected, double(QMA::adapt_quad_mesh(region, h, copy).after.faces));
+  }
+}
+
+// Fingers, toes and ears that are thinner than the size, and many short creases.
+TEST(Expected_number_of_faces, OfABodyInFewFaces)
+{
+  const Mesh body = read("makehuman_body");
+  const Point p0 = body.point(target(halfedge(*body.faces().begin(), body), body));
+  const double edge = mean_edge(body);
+  expect_near(
+      "body, graded", body,
+      [=](const Point& p) { return edge + 0.125 * std::sqrt(CGAL::squared_distance(p, p0)); },
+      CGAL::parameters::default_values(), 0.15);
 }
 
 TEST(Expected_number_of_faces, OfRefinements)

@@ -31,9 +31,7 @@ template <typename SizingField, typename QuadMesh,
 Adaptation_report refine(const SizingField& sizing, QuadMesh& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
-  const std::size_t passes =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations),
-                                   default_number_of_iterations);
+  const std::size_t passes = internal::decode_iterations(np);
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ false, false, true },
       [&](internal::Adaptation_state& s, Adaptation_report&) {

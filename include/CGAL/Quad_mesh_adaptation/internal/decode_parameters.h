@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -198,6 +199,28 @@ constexpr bool decode_concurrency(const NamedParameters& np)
   static_assert(!several, "CGAL::Parallel_tag needs TBB: link CGAL::TBB_support");
 #endif
   return several;
+}
+
+// Tells a chain of named parameters from a mesh.
+template <typename T>
+struct is_named_parameters : std::false_type
+{
+};
+template <typename T, typename Tag, typename Base>
+struct is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
+{
+};
+template <typename T>
+struct is_named_parameters<const T> : is_named_parameters<T>
+{
+};
+
+template <typename NamedParameters>
+std::size_t decode_iterations(const NamedParameters& np)
+{
+  return parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations),
+      default_number_of_iterations);
 }
 
 template <typename NamedParameters>

