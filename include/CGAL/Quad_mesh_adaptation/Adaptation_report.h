@@ -58,9 +58,6 @@ struct Phase_time
   double seconds = 0;
 };
 
-/// The number of faces up to which `expected_number_of_faces()` tries what comes out.
-constexpr double most_rehearsed_faces = 1000;
-
 /// Everything a call to `adapt_quad_mesh()` or to one of the phases tells about itself.
 struct Adaptation_report
 {
@@ -73,9 +70,9 @@ struct Adaptation_report
   long entity = -1;
 
   Mesh_measures before, after; ///< filled unless the input was refused
-  /// What `expected_number_of_faces()` says with the same parameters: a formula's number from
-  /// before the work or, where that function would adapt a copy and count, the count, since the
-  /// work was just that.  `adapt_quad_mesh()` with the default schedule only, otherwise 0.
+  /// What the formula of `expected_number_of_faces()` says, made before the work; where that
+  /// function adapts a copy and counts, it is nearer to the outcome.  `adapt_quad_mesh()` with the
+  /// default schedule only, otherwise 0.
   double expected_number_of_faces = 0;
   /// How fast the given size grows over the input mesh; filled unless the input was refused.
   Size_growth size_growth;

@@ -17,6 +17,9 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 
+/// The number of faces up to which `expected_number_of_faces()` tries what comes out.
+constexpr double most_rehearsed_faces = 1000;
+
 namespace internal {
 
 // The integral of 1/h^2 over the reference or, without one, over the mesh.
@@ -35,6 +38,12 @@ inline double mean_square_slope(const Adaptation_state& s, const Input_mesh& in)
   if(s.size.is_constant()) return 0;
   const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
   return measure_size_growth(in.points, in.quads, size).mean_square_slope;
+}
+
+// Few faces are tried and counted, unless that takes many to begin with.
+inline bool is_rehearsed(double expected_faces, std::size_t given_faces)
+{
+  return expected_faces <= most_rehearsed_faces && double(given_faces) <= 20 * most_rehearsed_faces;
 }
 
 // The formula's number or, where few faces are expected, that of a trial run.

@@ -133,12 +133,6 @@ void adapt_within_bound(const Input_mesh& in, const Feature_options& features,
   keep_sizes_within_distance(s);
 }
 
-// Few faces are tried and counted, unless that takes many to begin with.
-inline bool is_rehearsed(double expected_faces, std::size_t given_faces)
-{
-  return expected_faces <= most_rehearsed_faces && double(given_faces) <= 20 * most_rehearsed_faces;
-}
-
 // What the public functions differ in but for their algorithms.
 struct Call_kind
 {
@@ -200,8 +194,6 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     adapt_within_bound(
         in, features, geometry, mirror, [&](Adaptation_state& part) { algorithm(part, report); },
         bound, s);
-    if(kind.is_foretold && is_rehearsed(report.expected_number_of_faces, in.quads.size()))
-      report.expected_number_of_faces = double(s.mesh.number_of_faces());
     s.forget_work(); // its memory is needed to measure
     report.after = measured_state(s, reference, kept ? &*kept : nullptr);
     kept.reset();
