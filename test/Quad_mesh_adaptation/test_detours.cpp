@@ -34,6 +34,15 @@ Adaptation_state irregular_state(unsigned seed)
   return s;
 }
 
+// A square of n x n faces mapped on a disk: at four places of its border one face has a flat angle.
+shape_zoo::Shape squared_disk(Index n)
+{
+  return shape_zoo::grid("squared disk", n, n, [n](Index i, Index j) {
+    const double x = 2. * i / n - 1, y = 2. * j / n - 1;
+    return Vec(x * std::sqrt(1 - 0.5 * y * y), y * std::sqrt(1 - 0.5 * x * x), 0);
+  });
+}
+
 } // namespace
 
 TEST(Local_detours, MendShapesAndKeepSizes)
@@ -69,15 +78,25 @@ TEST(Local_detours, LeaveGoodMeshesAlone)
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) EXPECT_EQ(s.mesh.point(v), before.point(v));
 }
 
-// Whole numbers of faces are hard to get right in small meshes; single runs may come out better or
-// worse for any change of the search.
-// A square of n x n faces mapped on a disk: at four places of its border one face has a flat angle.
-shape_zoo::Shape squared_disk(Index n)
+// Poor faces of a large mesh are mended in parts of it, each by as many trials as it takes.
+TEST(Local_detours, MendPoorFacesOfLargeMeshes)
 {
-  return shape_zoo::grid("squared disk", n, n, [n](Index i, Index j) {
-    const double x = 2. * i / n - 1, y = 2. * j / n - 1;
-    return Vec(x * std::sqrt(1 - 0.5 * y * y), y * std::sqrt(1 - 0.5 * x * x), 0);
-  });
+  Options o;
+  o.size = [](const Vec&) { return 0.05; };
+  Adaptation_state s = make_state(squared_disk(110), o);
+  const core::Quad_complex before = s.mesh;
+  ASSERT_LT(core::least_scaled_jacobian(s), 0.1);
+  core::Local_detours local(s, core::Improvement_options());
+  local();
+  EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
+  EXPECT_TRUE(core::faces_too_large(s).empty());
+  EXPECT_TRUE(core::poor_shapes(s, QMA::Poor_face::floor).empty());
+  for(Index v = 0; v < before.vertex_end(); ++v) {
+    const Vec p = before.point(v);
+    if(std::abs(std::abs(p.x()) - std::abs(p.y())) < 0.7) continue; // flat corners are not far
+    ASSERT_TRUE(s.mesh.is_vertex(v));
+    EXPECT_EQ(s.mesh.point(v), p);
+  }
 }
 
 TEST(Corner_splits, FlatCornersOfASquareOnADisk)
@@ -94,6 +113,8 @@ TEST(Corner_splits, FlatCornersOfASquareOnADisk)
     }
 }
 
+// Whole numbers of faces are hard to get right in small meshes; single runs may come out better or
+// worse for any change of the search.
 TEST(Detours, SmallMeshesHaveAsManyFacesAsTheyNeed)
 {
   double efficiency = 0;

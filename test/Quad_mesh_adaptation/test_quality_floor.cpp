@@ -126,6 +126,16 @@ TEST(Quality_floor, HoldsOnRealMeshes)
     for(double factor : { 0.5, 0.8, 2., 5. }) expect_good_shapes(read(name), factor);
 }
 
+// Where a row of faces passes a bend of a rim, one face has a flat angle there.
+TEST(Quality_floor, HoldsOnSmallRims)
+{
+  for(double factor : { 0.35, 0.5, 0.7, 1. })
+    expect_good_shapes(more_shapes::truncated_cone(4), factor);
+}
+
+// Between the features of fingers and toes, in a mesh that is too large to be copied often.
+TEST(Quality_floor, HoldsInFolds) { expect_good_shapes(read("makehuman_body"), 2); }
+
 // A regular mesh that is a little too large everywhere must not get irregular nodes everywhere.
 TEST(Quality_floor, AlmostFineEnoughStaysRegular)
 {

@@ -38,6 +38,15 @@ inline Shape closed_cylinder(Index n)
   return s;
 }
 
+/// The same with a top of a fifth of the width.
+inline Shape truncated_cone(Index n)
+{
+  Shape s = closed_cylinder(n);
+  for(Vec& p : s.points) p = Vec((1 - 0.4 * p.z()) * p.x(), (1 - 0.4 * p.z()) * p.y(), p.z());
+  s.name = "truncated cone";
+  return s;
+}
+
 /// Dome on a flat disk that meet in a sharp rim of 4 n edges; n is even.  The meshes of both have
 /// different patterns, so that hardly any chord is a whole row.
 inline Shape dome(Index n)

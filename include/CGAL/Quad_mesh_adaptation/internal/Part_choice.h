@@ -20,8 +20,8 @@ namespace internal {
 class Part_choice
 {
 public:
-  Part_choice(const Quad_complex& m, const std::vector<Index>& work)
-      : near_(nodes_around(m, work, rings_to_work_on + margin))
+  Part_choice(const Quad_complex& m, const std::vector<Index>& work, int rings = rings_to_work_on)
+      : near_(nodes_around(m, work, rings + margin))
   {
     do {
       list_faces(m);
@@ -31,11 +31,17 @@ public:
   const std::vector<Index>& faces() const { return faces_; }
   bool has(Index f) const { return inside_[f]; }
 
-  // May they be taken out, and is that worth while?  Curves that are looked at from end to end must
-  // stay whole: closed ones and those with bends.
+  // Are they few enough for it to be worth while that they are taken out?
+  bool is_small(const Quad_complex& m) const
+  {
+    return 2 * faces_.size() <= std::size_t(m.number_of_faces());
+  }
+
+  // May a whole schedule work on them, and is that worth while?  Curves that it looks at from end
+  // to end must stay whole: closed ones and those with bends.
   bool is_separable(const Adaptation_state& s) const
   {
-    if(2 * faces_.size() > std::size_t(s.mesh.number_of_faces())) return false;
+    if(!is_small(s.mesh)) return false;
     std::vector<char> is_simple;
     for(const Feature_curve& c : s.curves)
       is_simple.push_back(!c.is_closed() && (c.is_frozen() || bends_of(c).empty()));

@@ -22,11 +22,14 @@ namespace internal {
 class Work_part
 {
 public:
-  // Precondition: the choice is separable.
-  Work_part(Adaptation_state& s, const std::vector<Index>& work, const Part_choice& choice)
+  // Precondition: the choice is separable, or it was made with so few rings about `work`, and all
+  // that is done are operations and moves.
+  Work_part(Adaptation_state& s, const std::vector<Index>& work, const Part_choice& choice,
+            int rings = rings_to_work_on)
       : s_(s), face_(choice.faces())
   {
-    const std::vector<char> region = nodes_around(s.mesh, work, rings_to_work_on);
+    s.prepare_coverage(); // later the witnesses of all faces would come to those of the part
+    const std::vector<char> region = nodes_around(s.mesh, work, rings);
     whole_ = std::exchange(s.mesh, Quad_complex());
     s.curves.push_back(Feature_curve({}, false, false, true)); // the edges to the rest
     copy_part(choice, region);

@@ -55,6 +55,7 @@ private:
     for(; edges < wanted && v != t.path[0]; ++edges) {
       const std::array<Index, 2> n = curve_neighbours(s_.mesh, v, t.curve);
       const Index next = n[0] == before ? n[1] : n[0];
+      if(next < 0) return false; // where a part of the mesh ends that has been taken out
       before = v;
       v = next;
     }

@@ -42,7 +42,7 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
       s.energy.valence = 0.05;
       s.forget_energies();
       Improvement_options relaxed = clean;
-      relaxed.open = false;
+      relaxed.open = relaxed.insertion = false;
       relaxed.crease = shortens_creases;
       relaxed.max_valence = 6;
       relaxed.min_jacobian = shortens_creases ? 0.5 : 0.3; // corners on creases do not open again

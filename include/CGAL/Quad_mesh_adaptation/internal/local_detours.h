@@ -4,13 +4,13 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_LOCAL_DETOURS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_LOCAL_DETOURS_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Detour_trial.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Work_part.h>
+#include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
-#include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,33 +21,26 @@ namespace internal {
 // The last faces of poor shape lie where no single operation helps.  So one operation about such a
 // face may raise the energy, and those that follow lower it again, at first with more weight on
 // shapes; where that ends with a better mesh it stays, else all goes back.  That takes a copy of
-// the mesh each time, hence only as many trials as the mesh is small.
+// the mesh each time, hence only as many trials as the mesh is small; but faces that nothing
+// excuses are tried in the part of the mesh about them.
 class Local_detours
 {
 public:
   Local_detours(Adaptation_state& s, const Improvement_options& o)
-      : s_(s), options_(o), trials_left_(std::size_t(most_work / (s.mesh.number_of_faces() + 100)))
+      : s_(s), options_(made_careful(o)), trial_(s, options_)
   {
-    options_.keep_within_size = true;
-    options_.valence_gain = -1e9; // swaps for the sake of shapes, too
-    trials_left_ = (std::min)(trials_left_, most_trials);
-    Improvement_options none = options_;
-    none.tolerance = 10;
-    none.keep_within_size = false;
-    none.min_jacobian = 0.3;
-    none.close = none.open = none.swap = none.rotate = none.border = false;
-    first_steps_.assign(4, none);
-    first_steps_[0].swap = first_steps_[0].rotate = true;
-    first_steps_[1].close = true;
-    first_steps_[2].border = first_steps_[2].crease = true;
-    first_steps_[3].open = first_steps_[3].corner = true;
+    usual_ = usual_search();
+    near_ = thorough_search(1);
+    farther_ = thorough_search(2);
   }
 
   void operator()()
   {
+    mend_unexcused();
+    trials_left_ = affordable_trials(most_work, most_trials);
     std::vector<Index> poor = poor_faces_by_shape();
     for(std::size_t i = 0; i < poor.size() && trials_left_ > 0;) {
-      if(!is_mended(poor[i])) {
+      if(!is_mended(poor[i], usual_)) {
         ++i;
         continue;
       }
@@ -57,6 +50,140 @@ public:
   }
 
 private:
+  // What is tried about a face: the first operations, a kind or two at a time, about the nodes
+  // within so many rings of it, and how much better the mesh must be for it in the end.
+  struct Search
+  {
+    std::vector<Improvement_options> first;
+    int rings;
+    double least_gain;
+  };
+
+  static Improvement_options made_careful(Improvement_options o)
+  {
+    o.keep_within_size = true;
+    o.valence_gain = -1e9; // swaps for the sake of shapes, too
+    return o;
+  }
+
+  Improvement_options no_operation() const
+  {
+    Improvement_options none = options_;
+    none.tolerance = 10;
+    none.keep_within_size = false;
+    none.min_jacobian = 0.3;
+    none.close = none.open = none.swap = none.rotate = none.border = none.insertion = false;
+    return none;
+  }
+
+  Search usual_search() const
+  {
+    Search x = { std::vector<Improvement_options>(4, no_operation()), 1, s_.energy.min_gain };
+    x.first[0].swap = x.first[0].rotate = true;
+    x.first[1].close = true;
+    x.first[2].border = x.first[2].crease = true;
+    x.first[3].open = x.first[3].corner = x.first[3].insertion = true;
+    return x;
+  }
+
+  // Splits that give a flat corner a second face are not left to be hidden by cheaper operations,
+  // and may leave narrow faces until others follow.  Any of them may crowd a node, which others
+  // relieve.  Gains of less than a face hardly show, and take trials.
+  Search thorough_search(int rings) const
+  {
+    Improvement_options none = no_operation();
+    none.max_valence = 6;
+    Search x = { std::vector<Improvement_options>(6, none), rings, 1 };
+    x.first[0].corner = true;
+    x.first[1].swap = x.first[1].rotate = true;
+    x.first[2].close = true;
+    x.first[3].border = x.first[3].crease = true;
+    x.first[4].open = true;
+    x.first[5].insertion = true;
+    for(int i : { 0, 5 }) {
+      x.first[i].tolerance = 30;
+      x.first[i].min_jacobian = 0.1;
+    }
+    return x;
+  }
+
+  // Those below the floor that is promised go first, each for itself.
+  void mend_unexcused()
+  {
+    const std::vector<char> stirred = s_.stirred, restless = s_.restless;
+    std::vector<char> tried;
+    double work_left = most_work_on_unexcused;
+    for(Index f = worst_unexcused(tried); f >= 0 && work_left > 0; f = worst_unexcused(tried)) {
+      tried.resize(s_.mesh.face_end(), 0);
+      tried[f] = 1;
+      work_left -= work_to_find_it * s_.mesh.number_of_faces();
+      const Part_choice choice(s_.mesh, { f }, rings);
+      if(s_.region.empty() && choice.is_small(s_.mesh)) {
+        Work_part part(s_, { f }, choice, rings);
+        trial_.forget_start(); // of another mesh
+        work_left -= try_on(part.work().front(), work_left);
+        part.put_back();
+        trial_.forget_start();
+      } else {
+        work_left -= try_on(f, work_left);
+      }
+    }
+    const auto give_back = [&](std::vector<char>& to, const std::vector<char>& marks) {
+      to = marks;
+      to.resize(s_.mesh.vertex_end(), 1);
+    };
+    give_back(s_.stirred, stirred);
+    give_back(s_.restless, restless);
+  }
+
+  // -1: none.
+  Index worst_unexcused(const std::vector<char>& tried) const
+  {
+    const auto is_tried = [&](Index f) { return f < Index(tried.size()) && tried[f]; };
+    Index worst = -1;
+    double least = Poor_face::floor;
+    for(Index f = 0; f < s_.mesh.face_end(); ++f) {
+      if(!s_.mesh.is_face(f) || is_tried(f)) continue;
+      const double jacobian = scaled_jacobian(s_.corners(f));
+      if(jacobian >= least || !is_within(f) || !is_unexcused(f)) continue;
+      least = jacobian;
+      worst = f;
+    }
+    return worst;
+  }
+
+  bool is_within(Index f) const
+  {
+    const Quad q = s_.mesh.quad(f);
+    return std::all_of(q.begin(), q.end(), [this](Index v) { return s_.is_to_work_on(v); });
+  }
+
+  bool is_unexcused(Index f) const
+  {
+    const Poor_face p = shape_limit(s_, f, Poor_face::floor);
+    return p.scaled_jacobian < Poor_face::floor && p.limit == Shape_limit::none;
+  }
+
+  // Until face f is good enough or nothing helps; returns the work.
+  double try_on(Index f, double work_left)
+  {
+    double work = 0;
+    bool again = true;
+    while(again && s_.mesh.is_face(f) && is_unexcused(f) && work < work_left) {
+      const Index faces = s_.mesh.number_of_faces();
+      const std::size_t trials = affordable_trials(work_left - work, most_trials_each);
+      trials_left_ = trials;
+      again = is_mended(f, near_) || is_mended(f, farther_);
+      work += double(trials - trials_left_) * (faces + 100);
+    }
+    return work;
+  }
+
+  std::size_t affordable_trials(double work, std::size_t most) const
+  {
+    return (std::min)(most, std::size_t(work / (s_.mesh.number_of_faces() + 100)));
+  }
+
   // The worst first.
   std::vector<Index> poor_faces_by_shape() const
   {
@@ -69,94 +196,39 @@ private:
   }
 
   // Each kind of operation about each node near face f, until one helps.
-  bool is_mended(Index f)
+  bool is_mended(Index f, const Search& search)
   {
     std::vector<Index> nodes;
-    const std::vector<char> near = nodes_around(s_.mesh, { f }, 1);
+    const std::vector<char> near = nodes_around(s_.mesh, { f }, search.rings);
     for(Index v = 0; v < Index(near.size()); ++v)
       if(near[v]) nodes.push_back(v);
-    for(const Improvement_options& first : first_steps_)
+    for(const Improvement_options& first : search.first)
       for(Index v : nodes) {
         if(trials_left_ == 0) return false;
-        if(is_better_after(f, v, first)) return true;
+        if(is_better_after(f, v, first, search.least_gain)) return true;
       }
     return false;
   }
 
-  // What a trial starts from.  It stays valid for the next one unless there is a better mesh.
-  struct Start
-  {
-    double demerits;
-    std::size_t too_large;
-    std::vector<char> stirred, restless;
-  };
-
-  void begin()
-  {
-    if(!start_)
-      start_ = Start{ demerits_here(), faces_too_large(s_).size(), s_.stirred, s_.restless };
-    if(!mesh_) mesh_.emplace(s_);
-  }
-
-  void go_back()
-  {
-    mesh_->restore();
-    mesh_.reset();
-    s_.stirred = start_->stirred;
-    s_.restless = start_->restless;
-  }
-
-  bool is_better_after(Index f, Index v, const Improvement_options& first)
+  bool is_better_after(Index f, Index v, const Improvement_options& first, double least_gain)
   {
     s_.check_cancelled();
-    begin();
-    const std::vector<char> near = nodes_around(s_.mesh, { f }, 3);
-    if(!Local_improvement(s_, first).improve_at(v)) return false;
-    --trials_left_;
-    const Smoothing_weights smoothing = s_.smoothing;
-    const Energy_weights energy = s_.energy;
-    s_.smoothing.keep_within_size = true;
-    s_.energy.shape = 4 * energy.shape;
-    s_.forget_energies();
-    improve(near, 2);
-    s_.energy = energy;
-    s_.forget_energies();
-    improve(near, 2);
-    s_.smoothing = smoothing;
-    const bool is_better = faces_too_large(s_).size() <= start_->too_large &&
-                           demerits_here() < start_->demerits - s_.energy.min_gain;
-    if(is_better) {
-      start_.reset();
-      mesh_.reset();
-    } else {
-      go_back();
-    }
-    return is_better;
+    const Detour_trial::Outcome outcome = trial_(f, v, first, least_gain);
+    if(outcome != Detour_trial::Outcome::no_operation) --trials_left_;
+    return outcome == Detour_trial::Outcome::better;
   }
 
-  // Operations about the marked nodes, and those that are new since.
-  void improve(std::vector<char> nodes, int passes)
-  {
-    nodes.resize(s_.mesh.vertex_end(), 1);
-    s_.restless = nodes;
-    smooth(s_, 4);
-    s_.stirred = nodes;
-    Local_improvement(s_, options_).passes(passes);
-    smooth(s_, 4);
-  }
-
-  // A face a tenth below the floor may cost two irregular nodes and two faces.
-  double demerits_here() { return total_energy(s_) + 80 * shape_faults(s_); }
-
-  static constexpr Index most_work = 100000; // faces in all copies
-  static constexpr std::size_t most_trials = 40;
+  static constexpr double most_work = 1e5; // faces in all copies
+  static constexpr double most_work_on_unexcused = 4e5;
+  static constexpr double work_to_find_it = 0.1; // a face, and to take a part out, for each face
+  static constexpr std::size_t most_trials = 40, most_trials_each = 100;
+  static constexpr int rings = 4; // of faces to work on about a face
 
   Adaptation_state& s_;
   Improvement_options options_;
-  std::size_t trials_left_;
-  std::vector<Improvement_options> first_steps_;
-  std::optional<Start> start_;
-  std::optional<Mesh_keeper> mesh_;
+  Detour_trial trial_;
+  std::size_t trials_left_ = 0;
+  Search usual_, near_, farther_;
 };
 
 // The last resorts in turn: sizes first, then shapes, again where one has undone the other, and the

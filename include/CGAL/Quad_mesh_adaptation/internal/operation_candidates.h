@@ -42,7 +42,7 @@ public:
     if(options_.rotate) collect_rotation(v);
     if(options_.border && find_border_pair(s_.mesh, v, pair_)) collect_border();
     if(options_.crease && find_crease_star(s_.mesh, v, crease_)) collect_crease_collapse();
-    if(options_.open) collect_insertions(v);
+    if(options_.corner || options_.insertion) collect_insertions(v);
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Operation_candidate& a, const Operation_candidate& b) {
                        return a.bound < b.bound;
@@ -220,7 +220,7 @@ private:
     for(Index h : out_)
       if(border || (m.curve(h) >= 0 && m.curve(m.prev(h)) >= 0)) {
         if(options_.corner) collect_corner_split(h);
-        collect_insertion(v, m.face(h));
+        if(options_.insertion) collect_insertion(v, m.face(h));
       }
   }
 

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOUR_TRIAL_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOUR_TRIAL_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
+#include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
+#include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// One operation that may raise the energy, and those that follow and lower it again, at first with
+// more weight on shapes.  What that leads to stays if it is better, else all goes back.
+class Detour_trial
+{
+public:
+  // `follow`: what may be done after the first operation.
+  Detour_trial(Adaptation_state& s, const Improvement_options& follow) : s_(s), follow_(follow) {}
+
+  enum class Outcome
+  {
+    no_operation,
+    taken_back,
+    better
+  };
+
+  // Looks for a `first` operation about node v, and for others within three rings of face f after
+  // it.
+  Outcome operator()(Index f, Index v, const Improvement_options& first, double least_gain)
+  {
+    begin();
+    const std::vector<char> near = nodes_around(s_.mesh, { f }, 3);
+    if(!Local_improvement(s_, first).improve_at(v)) return Outcome::no_operation;
+    improve_about(near);
+    const bool is_better = faces_too_large(s_).size() <= start_->too_large &&
+                           worst_quality(s_) >= start_->least_quality - hair &&
+                           demerits_here() < start_->demerits - least_gain;
+    if(!is_better) {
+      go_back();
+      return Outcome::taken_back;
+    }
+    forget_start();
+    return Outcome::better;
+  }
+
+  // The mesh has been changed since the last trial.
+  void forget_start()
+  {
+    start_.reset();
+    mesh_.reset();
+  }
+
+private:
+  // What a trial starts from, measured once for all trials up to the first that is better.
+  struct Start
+  {
+    double demerits, least_quality;
+    std::size_t too_large;
+    std::vector<char> stirred, restless;
+  };
+
+  void begin()
+  {
+    if(!start_)
+      start_ = Start{ demerits_here(), (std::min)(worst_quality(s_), Poor_face::floor),
+                      faces_too_large(s_).size(), s_.stirred, s_.restless };
+    if(!mesh_) mesh_.emplace(s_);
+  }
+
+  void go_back()
+  {
+    mesh_->restore();
+    mesh_.reset();
+    s_.stirred = start_->stirred;
+    s_.restless = start_->restless;
+  }
+
+  void improve_about(const std::vector<char>& nodes)
+  {
+    const Smoothing_weights smoothing = s_.smoothing;
+    const Energy_weights energy = s_.energy;
+    s_.smoothing.keep_within_size = true;
+    s_.energy.shape = 4 * energy.shape;
+    s_.forget_energies();
+    improve(nodes, 2);
+    s_.energy = energy;
+    s_.forget_energies();
+    improve(nodes, 2);
+    s_.smoothing = smoothing;
+  }
+
+  // Operations about the marked nodes, and those that are new since.
+  void improve(std::vector<char> nodes, int passes)
+  {
+    nodes.resize(s_.mesh.vertex_end(), 1);
+    s_.restless = nodes;
+    smooth(s_, 4);
+    s_.stirred = nodes;
+    Local_improvement(s_, follow_).passes(passes);
+    smooth(s_, 4);
+  }
+
+  // A face a tenth below the floor may cost two irregular nodes and two faces.
+  double demerits_here() { return total_energy(s_) + 80 * shape_faults(s_); }
+
+  static constexpr double hair = 0.005; // moves measure shape in another way
+
+  Adaptation_state& s_;
+  Improvement_options follow_;
+  std::optional<Start> start_;
+  std::optional<Mesh_keeper> mesh_;
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOUR_TRIAL_H
