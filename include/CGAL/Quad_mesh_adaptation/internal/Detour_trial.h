@@ -4,7 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOUR_TRIAL_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOUR_TRIAL_H
 
+#include <CGAL/Quad_mesh_adaptation/Poor_face.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
+#include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
