@@ -100,6 +100,10 @@ void expect_good_shapes(const Shape& s, double factor)
   Mesh mesh;
   const Adaptation_report report = adapt(s, factor, mesh);
   EXPECT_EQ(report.after.inverted_faces, 0u);
+  const auto largest = [](const QMA::Mesh_measures& m) {
+    return m.interior_valence.empty() ? 0u : m.interior_valence.rbegin()->first;
+  };
+  EXPECT_LE(largest(report.after), (std::max)(std::size_t(5), std::size_t(largest(report.before))));
   // a hair below the floor, a face is not worth two: the rim of the closed cylinder has such
   for(const Poor_face& p : report.poor_faces)
     EXPECT_TRUE(p.limit != Shape_limit::none || p.scaled_jacobian > 0.44)

@@ -44,6 +44,7 @@ public:
     improve_about(near);
     const bool is_better = faces_too_large(s_).size() <= start_->too_large &&
                            worst_quality(s_) >= start_->least_quality - hair &&
+                           crowding() <= start_->crowding &&
                            demerits_here() < start_->demerits - least_gain;
     if(!is_better) {
       go_back();
@@ -65,6 +66,7 @@ private:
   struct Start
   {
     double demerits, least_quality;
+    int crowding;
     std::size_t too_large;
     std::vector<char> stirred, restless;
   };
@@ -73,8 +75,24 @@ private:
   {
     if(!start_)
       start_ = Start{ demerits_here(), (std::min)(worst_quality(s_), Poor_face::floor),
-                      faces_too_large(s_).size(), s_.stirred, s_.restless };
+                      crowding(),      faces_too_large(s_).size(),
+                      s_.stirred,      s_.restless };
     if(!mesh_) mesh_.emplace(s_);
+  }
+
+  // Faces too many at inner nodes of the whole, on creases as well.
+  int crowding() const
+  {
+    constexpr int allowed = 5;
+    const Quad_complex& m = s_.mesh;
+    int faces = 0;
+    for(Index v = 0; v < m.vertex_end(); ++v) {
+      if(!m.is_vertex(v)) continue;
+      const int images = s_.images_at(m.vertex(v));
+      if(images > 1 || !m.is_border_vertex(v))
+        faces += (std::max)(images * m.vertex(v).faces - allowed, 0);
+    }
+    return faces;
   }
 
   void go_back()
