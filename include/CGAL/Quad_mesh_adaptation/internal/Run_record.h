@@ -31,7 +31,8 @@ struct Run_record
   // Told when a phase starts (name, iteration) and ends (name, faces).
   std::function<void(const char*, std::size_t)> start_phase = [](const char*, std::size_t) {};
   std::function<void(const char*, std::size_t)> end_phase = [](const char*, std::size_t) {};
-  std::size_t iterations = 0;                                  // passes of the driver's loop
+  std::size_t detours_left = 150; // trials about poor faces that nothing excuses, in all
+  std::size_t iterations = 0;     // passes of the driver's loop
   std::vector<std::pair<const char*, std::size_t>> operations; // how often each was committed
 
   // `operation` is a literal.

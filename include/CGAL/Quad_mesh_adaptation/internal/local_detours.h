@@ -113,7 +113,9 @@ private:
     const std::vector<char> stirred = s_.stirred, restless = s_.restless;
     std::vector<char> tried;
     double work_left = most_work_on_unexcused;
-    for(Index f = worst_unexcused(tried); f >= 0 && work_left > 0; f = worst_unexcused(tried)) {
+    while(work_left > 0 && s_.detours_left > 0) {
+      const Index f = worst_unexcused(tried);
+      if(f < 0) break;
       tried.resize(s_.mesh.face_end(), 0);
       tried[f] = 1;
       work_left -= work_to_find_it * s_.mesh.number_of_faces();
@@ -171,10 +173,12 @@ private:
     bool again = true;
     while(again && s_.mesh.is_face(f) && is_unexcused(f) && work < work_left) {
       const Index faces = s_.mesh.number_of_faces();
-      const std::size_t trials = affordable_trials(work_left - work, most_trials_each);
+      const std::size_t trials =
+          affordable_trials(work_left - work, (std::min)(most_trials_each, s_.detours_left));
       trials_left_ = trials;
       again = is_mended(f, near_) || is_mended(f, farther_);
       work += double(trials - trials_left_) * (faces + 100);
+      s_.detours_left -= trials - trials_left_;
     }
     return work;
   }
