@@ -54,10 +54,8 @@ private:
   // Smooths; in a large mesh not to the last, since other rows and the templates follow.
   void spread()
   {
-    const double fine = s_.smoothing.wake;
-    if(is_large(s_)) s_.smoothing.wake = 0.02;
+    const Short_smoothing coarse(s_);
     smooth(s_, 20);
-    s_.smoothing.wake = fine;
   }
 
   static constexpr double most_uneven = 0.15; // standard deviation of the width along a chord
