@@ -6,6 +6,7 @@
 #include "support/more_shapes.h"
 #include "support/state_checks.h"
 
+#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -129,4 +130,24 @@ TEST(Detours, SmallMeshesHaveAsManyFacesAsTheyNeed)
       ++runs;
     }
   EXPECT_GT(efficiency / runs, 0.865); // 0.85 with other orders and a finer start alone
+}
+
+// Those of more than 2000 faces take another way, too, where the first has come out badly.
+TEST(Detours, LargerMeshesStartFromACoarseOneThatIsBetter)
+{
+  Mesh pawn;
+  ASSERT_TRUE(QMA::read_quad_mesh(QUAD_MESH_DATA_DIR "/meshes/pawn.off", pawn).ok());
+  double edges = 0;
+  for(auto e : pawn.edges())
+    edges += std::sqrt(
+        CGAL::squared_distance(pawn.point(pawn.vertex(e, 0)), pawn.point(pawn.vertex(e, 1))));
+  double efficiency = 0;
+  for(double factor : { 0.46, 0.5, 0.53 }) {
+    Mesh mesh = pawn;
+    const auto report = QMA::adapt_quad_mesh(factor * edges / double(pawn.number_of_edges()), mesh);
+    EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_met) << factor;
+    EXPECT_GT(mesh.number_of_faces(), 2000u) << factor;
+    efficiency += report.after.efficiency / 3;
+  }
+  EXPECT_GT(efficiency, 0.88); // 0.865 from the first way alone
 }

@@ -220,12 +220,11 @@ constexpr Index without_detours = 10000;
 inline void run_with_detours(Adaptation_state& s, const Improvement_options& clean,
                              std::size_t max_iterations, const Schedule_ingredients& use)
 {
-  constexpr Index few_after = 2000;
   const auto run = [&] { run_progressively(s, clean, max_iterations, use); };
   std::optional<Detours> detours;
   if(s.mesh.number_of_faces() <= without_detours && s.region.empty()) detours.emplace(s, run);
   run();
-  if(detours && use.coarsening && s.mesh.number_of_faces() <= few_after) (*detours)();
+  if(detours && use.coarsening) (*detours)();
 }
 
 // Another way from a mesh that is given; the better outcome of both is kept.
