@@ -92,7 +92,8 @@ Adaptation_report adapt_quad_mesh(const SizingField& sizing, QuadMesh& mesh,
 
 /*!
 the same for a region: only the faces of `region` change.  The edges between the region and the
-rest stay as they are, so that the mesh remains conforming.
+rest stay as they are, so that the mesh remains conforming; see `edge_is_frozen_map()` for what that
+means for faces beside them.
 
 \tparam FaceRange a model of `ConstRange` with value type `face_descriptor`.
 */

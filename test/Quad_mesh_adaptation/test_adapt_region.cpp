@@ -213,6 +213,10 @@ TEST(Adapt_region, FacesTooLargeAreNamed)
   }
   EXPECT_GE(large.size(), 12u);
   EXPECT_EQ(report.faces_too_large, large);
+  EXPECT_GE(report.after.min_scaled_jacobian, 0.45);
+  ASSERT_EQ(report.advice.size(), 1u);
+  EXPECT_EQ(report.advice[0].find("12 edges that must stay are up to 10 times"), 0u)
+      << report.advice[0];
 }
 
 // --- constraints

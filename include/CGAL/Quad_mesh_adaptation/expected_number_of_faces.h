@@ -61,6 +61,7 @@ double foretold_faces(const Input_mesh& in, const NamedParameters& np, Adaptatio
   build_state(in, features, geometry, s);
   const double slope = mean_square_slope(s, in);
   bound.start();
+  const Frozen_edges frozen(s, in);
   const double ideal = ideal_faces(s, in, reference);
   const double expected = expected_faces(s, ideal, slope, scale_of(aim));
   if(!is_rehearsed(expected, in.quads.size())) return expected;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Frozen_edges.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Positions.h>
 #include <CGAL/Quad_mesh_adaptation/internal/check_feature_angle.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
@@ -182,8 +183,11 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     if(!fits_mostly(report.before.strict_size_ratio)) kept.reset();
     advise_on_sizes(in, s, report);
     bound.start();
-    const double ideal = bound.is_asked_for() ? measured_state(s, reference).ideal_number_of_faces
-                                              : report.before.ideal_number_of_faces;
+    Frozen_edges frozen(s, in);
+    if(frozen.is_any()) report.advice.push_back(frozen.advice());
+    const double ideal = bound.is_asked_for() || frozen.is_any()
+                             ? measured_state(s, reference).ideal_number_of_faces
+                             : report.before.ideal_number_of_faces;
     refuse_too_many(ideal);
     if(kind.is_foretold)
       report.expected_number_of_faces =
@@ -194,6 +198,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     adapt_within_bound(
         in, features, geometry, mirror, [&](Adaptation_state& part) { algorithm(part, report); },
         bound, s);
+    frozen.put_sizes_back();
     s.forget_work(); // its memory is needed to measure
     report.after = measured_state(s, reference, kept ? &*kept : nullptr);
     kept.reset();
