@@ -66,7 +66,7 @@ public:
   // start from: where that was not worth halving the first time, it mostly is then.
   void operator()()
   {
-    constexpr Index enough_faces = 800, many = 20000;
+    constexpr Index enough_faces = 800, many = 40000;
     constexpr int least = 2, most = 6;
     const Index faces = s_.mesh.number_of_faces();
     if(faces > many) return;

@@ -212,7 +212,7 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
 }
 
 // From so many faces on an input has no detours.
-constexpr Index without_detours = 10000;
+constexpr Index without_detours = 40000;
 
 // Where features and size leave room for few faces, the order of operations decides about much. So
 // where a small mesh does not come out well, other ways are tried as well, and taken where they are
@@ -273,7 +273,8 @@ inline void run_several_ways(Adaptation_state& s, const Improvement_options& cle
 inline void take_part_out(Adaptation_state& s, const std::vector<Index>& work,
                           std::optional<Work_part>& part)
 {
-  if(work.empty() || s.mesh.number_of_faces() <= without_detours) return;
+  constexpr Index worth_it = 10000;
+  if(work.empty() || s.mesh.number_of_faces() <= worth_it) return;
   const Part_choice choice(s.mesh, work);
   if(choice.is_separable(s)) part.emplace(s, work, choice);
 }
