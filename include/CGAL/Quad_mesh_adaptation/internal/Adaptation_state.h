@@ -202,6 +202,13 @@ struct Adaptation_state : Run_record, Face_caches
     }
     return ratios[f];
   }
+  // The same where corners, mean edge length and the size at the centre, not scaled, are at hand.
+  double size_ratio(Index f, const Corners& p, double mean_length, double at_centre) const
+  {
+    if(!ratios.is_known(f))
+      ratios.set(f, mean_length / size.at_face(p, size.scale() * at_centre), mesh.face_end());
+    return ratios[f];
+  }
 
   // Before anything that moves nodes or replaces faces; next to nothing if nothing has changed.
   void prepare_coverage() { coverage.prepare(mesh, surface, size, reference_patch); }

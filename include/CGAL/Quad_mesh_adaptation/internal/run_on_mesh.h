@@ -177,7 +177,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     geometry.reference = reference ? &*reference : nullptr;
     build_state(in, features, geometry, s);
     count_features(s, report);
-    std::optional<Kept_sizes> kept(in);
+    std::optional<Figures_of_faces> kept(in);
     report.before = measured_state(s, reference, &*kept);
     if(!fits_mostly(report.before.strict_size_ratio)) kept.reset();
     advise_on_sizes(in, s, report);
