@@ -255,6 +255,16 @@ struct Adaptation_state : Run_record, Face_caches
                         following(reference.mean_cosine(normalized(area_vector(p)))) });
   }
 
+  // Is node v a vertex of the surface with the same number, as those of an input that is its own
+  // reference are?  It lies on it to the last bit, then.
+  bool is_own_vertex(Index v) const
+  {
+    const Vertex_record& r = mesh.vertex(v);
+    return r.carrier == Carrier::surface && r.hint >= 0 && !surface.is_planar() &&
+           !surface.has_lift() && std::size_t(v) < surface.points().size() &&
+           surface.points()[v] == r.p;
+  }
+
   // How many images of the faces at a node will meet there.
   int images_at(const Vertex_record& r) const
   {

@@ -83,16 +83,25 @@ private:
     if(size < size_[v] * (1 - least_gain)) queue_.emplace(size_[v] = size, v);
   }
 
-  // How many times more faces the surface at f needs than its size asks for.  Normals differ by two
-  // at most, so that faces no narrower than their size need no closer look.
-  double times_more(Index f) const
+  // Of all faces: each is looked at by its neighbours, too.
+  std::vector<Face_frame> frames() const
   {
-    double h = 0;
-    for(Index v : s_.mesh.quad(f)) h += 0.25 * s_.mesh.vertex(v).h;
-    if(narrowest_width(f) >= h) return 1;
+    std::vector<Face_frame> list;
+    list.reserve(s_.mesh.face_end());
+    for(Index f = 0; f < s_.mesh.face_end(); ++f)
+      list.push_back(s_.mesh.is_face(f) ? Face_frame(s_, f) : Face_frame());
+    return list;
+  }
+
+  // How many times more faces the surface at f needs than its size asks for; no more where faces
+  // are as wide as their size, because normals differ by two at most.
+  double times_more(Index f, const std::vector<Face_frame>& frames) const
+  {
+    const double h = frames[f].h;
     double times = 1;
-    for(double k : face_curvatures(s_, f)) times *= (std::max)(1., h * k / most_turn);
-    return times;
+    const auto frame = [&frames](Index g) -> const Face_frame& { return frames[g]; };
+    for(double k : face_curvatures(s_.mesh, f, frame)) times *= (std::max)(1., h * k / most_turn);
+    return times > 1 && narrowest_width(f) >= h ? 1. : times;
   }
 
   // At vertices by the mean over the faces around.
@@ -100,9 +109,10 @@ private:
   {
     if(s_.surface.is_planar()) return;
     const Quad_complex& m = s_.mesh;
+    const std::vector<Face_frame> frames = this->frames();
     std::vector<double> excess; // times area; there is none in most meshes
     for(Index f = 0; f < m.face_end(); ++f) {
-      const double times = m.is_face(f) ? times_more(f) : 1;
+      const double times = m.is_face(f) ? times_more(f, frames) : 1;
       if(!(times > 1)) continue;
       if(excess.empty()) excess.resize(m.vertex_end(), 0);
       for(Index v : m.quad(f)) excess[v] += area(f) * (times - 1);

@@ -14,6 +14,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -46,7 +47,7 @@ public:
     else
       use_input(tracer.edges(), geometry);
     s_.curve_lift = geometry.curve_lift;
-    place_nodes();
+    place_nodes(!geometry.reference);
     set_ideal_valences();
   }
 
@@ -180,19 +181,31 @@ private:
       });
   }
 
-  void place_nodes()
+  // `is_own`: the surface is the input itself.
+  void place_nodes(bool is_own)
   {
     Quad_complex& m = s_.mesh;
     for(Index v = 0; v < m.vertex_end(); ++v) {
       if(!m.is_vertex(v)) continue;
       Vertex_record& r = m.vertex(v);
       const Vec given = r.p;
+      if(is_own && s_.is_own_vertex(v) && has_corner(r.hint, v)) {
+        r.normal = s_.surface.normal(r.hint);
+        r.h = s_.size.at(r.p);
+        continue;
+      }
       s_.place(r);
       // where the surface is the input itself, nodes are on it already: keep their last bit
       if((r.p - given).squared_length() < 1e-24 * (given * given)) r.p = given;
       if(r.frozen) r.p = given;
       if(s_.surface.is_planar()) r.normal = s_.surface.normal(0);
     }
+  }
+
+  bool has_corner(Index triangle, Index v) const
+  {
+    const std::array<Index, 3>& t = s_.surface.triangles()[triangle];
+    return t[0] == v || t[1] == v || t[2] == v;
   }
 
   void set_ideal_valences()

@@ -27,21 +27,12 @@ inline std::vector<Triangle> corner_points(const Triangle_soup& soup)
   return list;
 }
 
-// As nodes of an input that is its own reference are, so that they lie on it to the last bit.
-inline bool is_corner_of_surface(const Adaptation_state& s, const Vertex_record& r)
-{
-  if(r.carrier != Carrier::surface || r.hint < 0 || s.surface.is_planar() || s.surface.has_lift())
-    return false;
-  const Triangle t = s.surface.triangle(r.hint);
-  return std::find(t.begin(), t.end(), r.p) != t.end();
-}
-
 // How far nodes are from where they belong.
 inline double largest_distance_of_nodes(const Adaptation_state& s)
 {
   double far = 0;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-    if(!s.mesh.is_vertex(v) || is_corner_of_surface(s, s.mesh.vertex(v))) continue;
+    if(!s.mesh.is_vertex(v) || s.is_own_vertex(v)) continue;
     Vertex_record r = s.mesh.vertex(v);
     s.put_on_carrier(r);
     far = (std::max)(far, distance(s.mesh.point(v), r.p));

@@ -44,7 +44,8 @@ inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s,
 {
   if(s.size.is_constant()) return;
   report.size_growth = measure_size_growth(
-      in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); }, &s.mesh);
+      in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); }, &s.mesh,
+      s.size.scale() == 1);
   const std::string text = advice_on(report.size_growth);
   if(!text.empty()) report.advice.push_back(text);
 }
