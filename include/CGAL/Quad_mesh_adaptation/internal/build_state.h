@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Curve_tracer.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_parts.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Feature_marking.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
@@ -67,7 +68,7 @@ private:
       m.add_vertex(r);
     }
     m.protect_vertices_below(Index(in_.points.size()));
-    for(const Quad& q : in_.quads) m.add_face(q, 0);
+    m.add_faces(in_.quads, 0);
     Index bad = -1;
     if(!m.link(&bad))
       throw Refused{
@@ -81,11 +82,16 @@ private:
   void check_umbrellas() const
   {
     const Quad_complex& m = s_.mesh;
-    std::vector<Index> out;
     for(Index v = 0; v < m.vertex_end(); ++v) {
       if(!m.is_vertex(v)) continue;
-      m.outgoing(v, out);
-      if(int(out.size()) != m.vertex(v).faces)
+      const Index start = m.vertex(v).halfedge;
+      int faces = 0;
+      Index h = start;
+      do {
+        ++faces;
+        h = m.turn_left(h);
+      } while(h >= 0 && h != start);
+      if(faces != m.vertex(v).faces)
         throw Refused{ Refusal::non_manifold, "joins parts of the mesh that share no edge there",
                        -1, v };
     }
@@ -95,25 +101,12 @@ private:
   void number_patches()
   {
     Quad_complex& m = s_.mesh;
-    Index number = 0;
-    std::vector<char> seen(m.face_end(), 0);
-    std::vector<Index> todo;
-    for(Index first = 0; first < m.face_end(); ++first) {
-      if(seen[first]) continue;
-      seen[first] = 1;
-      todo.push_back(first);
-      while(!todo.empty()) {
-        const Index f = todo.back();
-        todo.pop_back();
-        m.set_patch(f, number);
-        for(Index h = 4 * f; h < 4 * f + 4; ++h) {
-          if(m.curve(h) >= 0 || seen[m.face(m.opposite(h))]) continue;
-          seen[m.face(m.opposite(h))] = 1;
-          todo.push_back(m.face(m.opposite(h)));
-        }
-      }
-      s_.given_patch.push_back(in_.patch.empty() ? 0 : in_.patch[first]);
-      ++number;
+    const Face_parts parts(m, [&m](Index h) { return m.curve(h) < 0; });
+    s_.given_patch.reserve(parts.size());
+    for(Index f = 0; f < m.face_end(); ++f) {
+      m.set_patch(f, parts.of(f));
+      if(std::size_t(m.patch(f)) == s_.given_patch.size())
+        s_.given_patch.push_back(in_.patch.empty() ? 0 : in_.patch[f]);
     }
   }
 
