@@ -38,6 +38,15 @@ void for_each_corner(const Reference_surface& surface, std::vector<Bend>& bends,
     for(Index v : surface.triangles()[t]) visit(bends[v], t, v);
 }
 
+// Would a triangle with this cosine to the normal at the vertex, at this squared distance, add to
+// what is known of the bend there?  By a bound for the angle, which is dear.
+inline bool may_turn_more(const Bend& b, double cosine, double way2)
+{
+  const double y = 1 - cosine, factor = y < 0.5 ? 1 + 0.1 * y : 2.; // angle <= factor * sqrt(2 y)
+  const double turn2 = 2 * y * factor * factor;
+  return turn2 > b.curvature * b.curvature * way2 || 4 * turn2 > b.least * b.least;
+}
+
 // Of all vertices; those on curves have none, because curves hold the mesh there.
 inline std::vector<Bend> bends_of(const Reference_surface& surface, const Size_sampler& size)
 {
@@ -49,8 +58,10 @@ inline std::vector<Bend> bends_of(const Reference_surface& surface, const Size_s
   for(Bend& b : bends) b.normal = normalized(b.normal);
   for_each_corner(surface, bends, [&](Bend& b, Index t, Index v) {
     const std::array<Vec, 3> c = surface.triangle(t);
-    const double way = distance((c[0] + c[1] + c[2]) / 3, surface.points()[v]);
-    const double turn = std::acos((std::max)(-1., (std::min)(1., b.normal * surface.normal(t))));
+    const double cosine = (std::max)(-1., (std::min)(1., b.normal * surface.normal(t)));
+    const double way2 = ((c[0] + c[1] + c[2]) / 3 - surface.points()[v]).squared_length();
+    if(!may_turn_more(b, cosine, way2)) return;
+    const double way = std::sqrt(way2), turn = std::acos(cosine);
     if(!(turn > 1e-6 && way > 0)) return;
     b.curvature = (std::max)(b.curvature, turn / way);
     b.least = (std::max)(b.least, 2 * turn);

@@ -26,7 +26,7 @@ inline bool has_good_valence(const Vertex_record& r)
 inline bool is_good(const Adaptation_state& s, Index f)
 {
   if(s.size_ratio(f) > size_tolerance) return false;
-  if(scaled_jacobian(s.corners(f)) < s.smoothing.min_corner) return false;
+  if(is_jacobian_below(s.corners(f), s.smoothing.min_corner)) return false;
   const Quad q = s.mesh.quad(f);
   return std::all_of(q.begin(), q.end(),
                      [&](Index v) { return has_good_valence(s.mesh.vertex(v)); });
