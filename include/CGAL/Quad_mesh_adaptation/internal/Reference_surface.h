@@ -221,8 +221,32 @@ private:
     return closest_on_triangle(p, triangle(t)).point;
   }
 
+  // Do two triangles show at once that there is no plane?  None that is not tiny is turned by so
+  // much against a plane on which it lies.
+  bool is_clearly_bent() const
+  {
+    constexpr std::size_t most = 64;
+    constexpr double tiny = 1e-8, turned = 1e-3;
+    double size2 = 0;
+    for(const Vec& q : points()) size2 = (std::max)(size2, (q - points()[0]).squared_length());
+    Vec first(0, 0, 0);
+    for(std::size_t i = 0; i < most; ++i) {
+      const std::array<Vec, 3> c = triangle(Index(i * number_of_triangles() / most));
+      const Vec n = cross(c[1] - c[0], c[2] - c[0]);
+      const double longest2 =
+          (std::max)({ (c[1] - c[0]).squared_length(), (c[2] - c[1]).squared_length(),
+                       (c[0] - c[2]).squared_length() });
+      // 2 sizes are more than the largest distance from any corner
+      if(!(n * n > 4 * tiny * tiny * size2 * longest2)) continue;
+      if(first * first > 0 && norm(cross(first, normalized(n))) > turned) return true;
+      if(!(first * first > 0)) first = normalized(n);
+    }
+    return false;
+  }
+
   void detect_plane()
   {
+    if(is_clearly_bent()) return;
     const Vec first = triangle(0)[0];
     Vec n(0, 0, 0);
     double size = 0;
