@@ -77,6 +77,13 @@ void expect_measures(const QMA::Mesh_measures& wanted, const QMA::Mesh_measures&
   EXPECT_NEAR(wanted.size_ratio.mean, found.size_ratio.mean, 1e-12);
   EXPECT_NEAR(wanted.size_ratio.max, found.size_ratio.max, 1e-12);
   EXPECT_NEAR(wanted.strict_size_ratio.mean, found.strict_size_ratio.mean, 1e-12);
+  EXPECT_NEAR(wanted.min_scaled_jacobian, found.min_scaled_jacobian, 1e-12);
+  EXPECT_NEAR(wanted.p5_scaled_jacobian, found.p5_scaled_jacobian, 1e-12);
+  EXPECT_NEAR(wanted.mean_scaled_jacobian, found.mean_scaled_jacobian, 1e-12);
+  EXPECT_NEAR(wanted.min_angle, found.min_angle, 1e-9);
+  EXPECT_NEAR(wanted.max_angle, found.max_angle, 1e-9);
+  EXPECT_EQ(wanted.inverted_faces, found.inverted_faces);
+  EXPECT_EQ(wanted.components, found.components);
   EXPECT_NEAR(wanted.max_warp, found.max_warp, 1e-12);
   EXPECT_EQ(wanted.interior_valence, found.interior_valence);
 }

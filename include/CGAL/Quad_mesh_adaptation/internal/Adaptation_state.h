@@ -202,6 +202,13 @@ struct Adaptation_state : Run_record, Face_caches
     }
     return ratios[f];
   }
+  // The same where corners, mean edge length and the size at the centre, not scaled, are at hand.
+  double size_ratio(Index f, const Corners& p, double mean_length, double at_centre) const
+  {
+    if(!ratios.is_known(f))
+      ratios.set(f, mean_length / size.at_face(p, size.scale() * at_centre), mesh.face_end());
+    return ratios[f];
+  }
 
   // Before anything that moves nodes or replaces faces; next to nothing if nothing has changed.
   void prepare_coverage() { coverage.prepare(mesh, surface, size, reference_patch); }
@@ -246,6 +253,16 @@ struct Adaptation_state : Run_record, Face_caches
     if(is_folded(p, reference.sum)) return -1;
     return (std::min)({ scaled_jacobian(p), flatness(warp(p)),
                         following(reference.mean_cosine(normalized(area_vector(p)))) });
+  }
+
+  // Is node v a vertex of the surface with the same number, as those of an input that is its own
+  // reference are?  It lies on it to the last bit, then.
+  bool is_own_vertex(Index v) const
+  {
+    const Vertex_record& r = mesh.vertex(v);
+    return r.carrier == Carrier::surface && r.hint >= 0 && !surface.is_planar() &&
+           !surface.has_lift() && std::size_t(v) < surface.points().size() &&
+           surface.points()[v] == r.p;
   }
 
   // How many images of the faces at a node will meet there.

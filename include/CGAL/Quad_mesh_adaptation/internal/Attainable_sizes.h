@@ -83,13 +83,22 @@ private:
     if(size < size_[v] * (1 - least_gain)) queue_.emplace(size_[v] = size, v);
   }
 
+  std::vector<Vec> centres() const
+  {
+    std::vector<Vec> list;
+    list.reserve(s_.mesh.face_end());
+    for(Index f = 0; f < s_.mesh.face_end(); ++f)
+      list.push_back(s_.mesh.is_face(f) ? centre_of(s_.corners(f)) : Vec(0, 0, 0));
+    return list;
+  }
+
   // How many times more faces the surface at f needs than its size asks for.  Normals differ by two
-  // at most, so that faces no narrower than their size need no closer look.
-  double times_more(Index f) const
+  // at most, so that faces no narrower than their size need no closer look, nor most others.
+  double times_more(Index f, const std::vector<Vec>& centres) const
   {
     double h = 0;
     for(Index v : s_.mesh.quad(f)) h += 0.25 * s_.mesh.vertex(v).h;
-    if(narrowest_width(f) >= h) return 1;
+    if(h * largest_curvature(s_, f, centres) < most_turn || narrowest_width(f) >= h) return 1;
     double times = 1;
     for(double k : face_curvatures(s_, f)) times *= (std::max)(1., h * k / most_turn);
     return times;
@@ -100,9 +109,10 @@ private:
   {
     if(s_.surface.is_planar()) return;
     const Quad_complex& m = s_.mesh;
+    const std::vector<Vec> centres = this->centres();
     std::vector<double> excess; // times area; there is none in most meshes
     for(Index f = 0; f < m.face_end(); ++f) {
-      const double times = m.is_face(f) ? times_more(f) : 1;
+      const double times = m.is_face(f) ? times_more(f, centres) : 1;
       if(!(times > 1)) continue;
       if(excess.empty()) excess.resize(m.vertex_end(), 0);
       for(Index v : m.quad(f)) excess[v] += area(f) * (times - 1);

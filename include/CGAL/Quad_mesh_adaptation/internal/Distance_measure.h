@@ -38,6 +38,7 @@ public:
   {
     measure_curves();
     if(s_.surface.is_planar()) return;
+    is_own_ = faces_with_own_triangles(s_);
     measure_faces();
     measure_reference();
   }
@@ -93,11 +94,25 @@ private:
   // Are all points of face f so near to its own triangles that they do not matter?
   bool is_near_own_triangles(Index f, const Corners& p)
   {
+    if(!is_own_[f]) return false;
     const double bound = 0.25 * norm(p[0] - p[1] + p[2] - p[3]);
-    if(bound > (is_careful_ ? care_ : to_reference_.threshold()) || !s_.surface.has_halves_of(f, p))
-      return false;
-    if(is_careful_) note(f, bound, to_reference_);
+    if(!is_careful_)
+      return bound <= to_reference_.threshold() ||
+             height_above_halves(p) <= to_reference_.threshold();
+    if(bound > care_) return false;
+    note(f, bound, to_reference_);
     return true;
+  }
+
+  // A bound for how far the points of a convex face are above or below its halves: along their
+  // common normal the diagonals lie in two planes, and between these everything does.
+  static double height_above_halves(const Corners& p)
+  {
+    const Vec n = area_vector(p);
+    for(int i = 0; i < 4; ++i)
+      if(!(n * cross(p[(i + 1) & 3] - p[i], p[(i + 3) & 3] - p[i]) > 0))
+        return (std::numeric_limits<double>::infinity)();
+    return 0.5 * std::abs((p[0] - p[1] + p[2] - p[3]) * n) / norm(n);
   }
 
   // Of a point of faces f and g.  Walking over the surface may stop at a border or behind a fold,
@@ -150,7 +165,6 @@ private:
   // that are others now.
   void measure_reference()
   {
-    is_own_ = faces_with_own_triangles(s_);
     const std::vector<char> near = faces_near_others(s_.mesh, is_own_);
     // before anything is done, no point of an input that is its own reference is off the mesh
     const std::size_t own = std::size_t(std::count(is_own_.begin(), is_own_.end(), 1));

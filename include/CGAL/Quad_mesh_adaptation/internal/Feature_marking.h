@@ -75,16 +75,19 @@ public:
     std::optional<Reference_creases> creases;
     std::optional<Crease_lookup> known;
     if(reference) known.emplace(creases.emplace(*reference, cos_, off_));
-    std::vector<Vec> areas(m.face_end());
-    for(Index f = 0; f < m.face_end(); ++f) areas[f] = area_vector(s_.corners(f));
-    std::vector<char> detected(4 * std::size_t(m.face_end()), 0);
+    std::vector<Area> areas;
+    areas.reserve(m.face_end());
+    for(Index f = 0; f < m.face_end(); ++f) areas.emplace_back(area_vector(s_.corners(f)));
+    std::vector<char> detected;
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
       if(m.curve(h) >= 0 || m.opposite(h) < h) continue;
       if(!turns(areas[m.face(h)], areas[m.face(m.opposite(h))])) continue;
       if(known && !known->runs_along(m.point(m.origin(h)), m.point(m.target(h)))) continue;
       m.set_curve(h, 0);
+      detected.resize(4 * std::size_t(m.face_end()), 0);
       detected[h] = detected[m.opposite(h)] = 1;
     }
+    if(detected.empty()) return; // nor is any of these a stray one
     State_with_creases surface{ s_ };
     Stray_creases<State_with_creases>(surface, detected)();
   }
@@ -115,7 +118,17 @@ public:
   }
 
 private:
-  bool turns(const Vec& a, const Vec& b) const { return a * b < cos_ * norm(a) * norm(b); }
+  struct Area // of a face
+  {
+    Vec vector;
+    double norm;
+    explicit Area(const Vec& v) : vector(v), norm(internal::norm(v)) {}
+  };
+
+  bool turns(const Area& a, const Area& b) const
+  {
+    return a.vector * b.vector < cos_ * a.norm * b.norm;
+  }
 
   bool is_constrained(Index h) const
   {

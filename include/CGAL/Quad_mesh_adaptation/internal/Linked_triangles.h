@@ -37,13 +37,13 @@ public:
     number_patches();
   }
 
-  // Of triangles whose neighbours across sides (i, i + 1) are known.
+  // Of triangles whose neighbours across sides (i, i + 1) are known, and maybe their patches.
   Linked_triangles(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles,
-                   std::vector<std::array<Index, 3>> neighbours)
+                   std::vector<std::array<Index, 3>> neighbours, std::vector<Index> patches)
       : points_(std::move(points)), triangles_(std::move(triangles)),
-        neighbours_(std::move(neighbours))
+        neighbours_(std::move(neighbours)), patches_(std::move(patches))
   {
-    number_patches();
+    if(patches_.empty()) number_patches();
   }
 
   std::size_t number_of_triangles() const { return triangles_.size(); }

@@ -43,12 +43,13 @@ public:
   // Of each pair of triangles.
   const std::vector<Index>& face_of() const { return face_of_; }
 
-  // Parted by the curves, if asked for.  Once only: the triangles are in the surface then.
+  // Parted by the curves into the patches of the mesh, if asked for.  Once only: the triangles are
+  // in the surface then.
   Reference_surface surface(bool is_parted)
   {
     std::vector<std::array<Index, 3>> across = neighbours(is_parted);
-    return Reference_surface(std::move(soup_.points), std::move(soup_.triangles),
-                             std::move(across));
+    return Reference_surface(std::move(soup_.points), std::move(soup_.triangles), std::move(across),
+                             is_parted ? patches() : std::vector<Index>());
   }
 
 private:
@@ -71,6 +72,14 @@ private:
     soup_.points.reserve(points);
     for(Index v = 0; v < m_.vertex_end(); ++v)
       if(number_[v] >= 0) soup_.points.push_back(m_.point(v));
+  }
+
+  std::vector<Index> patches() const
+  {
+    std::vector<Index> list;
+    list.reserve(2 * face_of_.size());
+    for(Index f : face_of_) list.insert(list.end(), 2, m_.patch(f));
+    return list;
   }
 
   // What lies across the sides of the triangles is known.

@@ -72,6 +72,18 @@ public:
     return f;
   }
 
+  // All faces of an empty complex.
+  void add_faces(const std::vector<Quad>& quads, Index patch)
+  {
+    const std::size_t n = quads.size();
+    origin_.reserve(4 * n);
+    for(const Quad& q : quads) origin_.insert(origin_.end(), q.begin(), q.end());
+    opposite_.assign(4 * n, -1);
+    curve_.assign(4 * n, -1);
+    patch_.assign(n, patch);
+    face_count_ = Index(n);
+  }
+
   void set_quad(Index f, const Quad& q)
   {
     for(int i = 0; i < 4; ++i) {
@@ -113,21 +125,7 @@ public:
   // offending half-edge in `bad`, if two half-edges run the same way between the same vertices.
   bool link(Index* bad = nullptr)
   {
-    std::vector<Index> start(vertices_.size() + 1, 0);
-    for(Index h = 0; h < Index(origin_.size()); ++h)
-      if(origin_[h] >= 0) ++start[low_end(h) + 1];
-    for(std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<Index> sorted(start.back()); // bucketed by the lower vertex, in half-edge order
-    for(Index h = 0; h < Index(origin_.size()); ++h)
-      if(origin_[h] >= 0) sorted[start[low_end(h)]++] = h;
-    std::vector<std::pair<Index, Index>> bucket; // upper end, half-edge
-    for(std::size_t i = 0; i < sorted.size();) {
-      const Index low = low_end(sorted[i]);
-      bucket.clear();
-      for(; i < sorted.size() && low_end(sorted[i]) == low; ++i)
-        bucket.emplace_back((std::max)(origin(sorted[i]), target(sorted[i])), sorted[i]);
-      if(!link_bucket(bucket, bad)) return false;
-    }
+    if(!link_all() && !link_in_order(bad)) return false;
     refresh_vertices();
     return true;
   }
@@ -232,6 +230,50 @@ public:
 
 private:
   Index low_end(Index h) const { return (std::min)(origin(h), target(h)); }
+
+  // In one pass, each with the first one of its edge, which is listed at its lower end.  False
+  // where there are more than two, or two that run the same way.
+  bool link_all()
+  {
+    std::vector<Index> first(vertices_.size(), -1), next(origin_.size());
+    for(Index h = 0; h < Index(origin_.size()); ++h) {
+      if(origin_[h] < 0) continue;
+      const Index u = origin(h), v = target(h), low = (std::min)(u, v);
+      Index g = first[low];
+      while(g >= 0 && origin(g) + target(g) != u + v) g = next[g];
+      opposite_[h] = -1;
+      if(g < 0) {
+        next[h] = first[low];
+        first[low] = h;
+        continue;
+      }
+      if(opposite_[g] >= 0 || origin(g) == u) return false;
+      set_opposites(g, h);
+      curve_[g] = curve_[h] = (std::max)(curve_[g], curve_[h]);
+    }
+    return true;
+  }
+
+  // The same by the numbers of vertices, to tell which is the first that cannot be linked.
+  bool link_in_order(Index* bad)
+  {
+    std::vector<Index> start(vertices_.size() + 1, 0);
+    for(Index h = 0; h < Index(origin_.size()); ++h)
+      if(origin_[h] >= 0) ++start[low_end(h) + 1];
+    for(std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    std::vector<Index> sorted(start.back()); // bucketed by the lower vertex, in half-edge order
+    for(Index h = 0; h < Index(origin_.size()); ++h)
+      if(origin_[h] >= 0) sorted[start[low_end(h)]++] = h;
+    std::vector<std::pair<Index, Index>> bucket; // upper end, half-edge
+    for(std::size_t i = 0; i < sorted.size();) {
+      const Index low = low_end(sorted[i]);
+      bucket.clear();
+      for(; i < sorted.size() && low_end(sorted[i]) == low; ++i)
+        bucket.emplace_back((std::max)(origin(sorted[i]), target(sorted[i])), sorted[i]);
+      if(!link_bucket(bucket, bad)) return false;
+    }
+    return true;
+  }
 
   bool link_bucket(std::vector<std::pair<Index, Index>>& bucket, Index* bad)
   {

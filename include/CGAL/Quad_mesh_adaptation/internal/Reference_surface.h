@@ -44,10 +44,10 @@ public:
     if(!planar_) mesh_.find_normals();
   }
 
-  // Of triangles whose neighbours across sides (i, i + 1) are known.
+  // Of triangles whose neighbours across sides (i, i + 1) are known, and maybe their patches.
   Reference_surface(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles,
-                    std::vector<std::array<Index, 3>> neighbours)
-      : mesh_(std::move(points), std::move(triangles), std::move(neighbours))
+                    std::vector<std::array<Index, 3>> neighbours, std::vector<Index> patches)
+      : mesh_(std::move(points), std::move(triangles), std::move(neighbours), std::move(patches))
   {
     detect_plane();
     if(!planar_) mesh_.find_normals();
@@ -221,8 +221,32 @@ private:
     return closest_on_triangle(p, triangle(t)).point;
   }
 
+  // Do two triangles show at once that there is no plane?  None that is not tiny is turned by so
+  // much against a plane on which it lies.
+  bool is_clearly_bent() const
+  {
+    constexpr std::size_t most = 64;
+    constexpr double tiny = 1e-8, turned = 1e-3;
+    double size2 = 0;
+    for(const Vec& q : points()) size2 = (std::max)(size2, (q - points()[0]).squared_length());
+    Vec first(0, 0, 0);
+    for(std::size_t i = 0; i < most; ++i) {
+      const std::array<Vec, 3> c = triangle(Index(i * number_of_triangles() / most));
+      const Vec n = cross(c[1] - c[0], c[2] - c[0]);
+      const double longest2 =
+          (std::max)({ (c[1] - c[0]).squared_length(), (c[2] - c[1]).squared_length(),
+                       (c[0] - c[2]).squared_length() });
+      // 2 sizes are more than the largest distance from any corner
+      if(!(n * n > 4 * tiny * tiny * size2 * longest2)) continue;
+      if(first * first > 0 && norm(cross(first, normalized(n))) > turned) return true;
+      if(!(first * first > 0)) first = normalized(n);
+    }
+    return false;
+  }
+
   void detect_plane()
   {
+    if(is_clearly_bent()) return;
     const Vec first = triangle(0)[0];
     Vec n(0, 0, 0);
     double size = 0;
@@ -231,16 +255,24 @@ private:
       n = n + cross(c[1] - c[0], c[2] - c[0]);
       size = (std::max)(size, (c[0] - first).squared_length());
     }
-    size = std::sqrt(size);
     plane_normal_ = normalized(n);
     plane_point_ = first;
-    planar_ = n * n > 0;
-    for(std::size_t t = 0; planar_ && t < number_of_triangles(); ++t) {
+    planar_ = n * n > 0 && lies_on_plane(1e-12 * std::sqrt(size));
+  }
+
+  bool lies_on_plane(double tolerance) const
+  {
+    const auto is_on = [&](const Vec& q) {
+      return std::abs((q - plane_point_) * plane_normal_) <= tolerance;
+    };
+    // one after the other is quicker; if one is off, there may be no triangle there
+    const bool are_all_on = std::all_of(points().begin(), points().end(), is_on);
+    for(std::size_t t = 0; t < number_of_triangles(); ++t) {
       const auto c = triangle(Index(t));
-      for(const Vec& q : c)
-        planar_ = planar_ && std::abs((q - plane_point_) * plane_normal_) <= 1e-12 * size;
-      planar_ = planar_ && cross(c[1] - c[0], c[2] - c[0]) * plane_normal_ > 0;
+      if(!are_all_on && !std::all_of(c.begin(), c.end(), is_on)) return false;
+      if(!(cross(c[1] - c[0], c[2] - c[0]) * plane_normal_ > 0)) return false;
     }
+    return true;
   }
 
   Box_tree::Nearest nearest_of_all(const Vec& p) const

@@ -59,8 +59,14 @@ public:
   double at_face(const std::array<Vec, 4>& p) const
   {
     if(constant_ > 0) return scale_ * constant_;
+    return at_face(p, at(0.25 * (p[0] + p[1] + p[2] + p[3])));
+  }
+
+  // The same, by what is wanted at its centre.
+  double at_face(const std::array<Vec, 4>& p, double centre) const
+  {
+    if(constant_ > 0) return scale_ * constant_;
     const Vec c = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-    const double centre = at(c);
     if(sampling == Size_sampling::centre) return centre;
     const double g = 0.5 / std::sqrt(3.);
     const Vec u = 0.5 * g * (p[1] + p[2] - p[0] - p[3]); // half steps along the two directions

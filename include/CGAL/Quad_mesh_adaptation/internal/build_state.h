@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Curve_tracer.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_parts.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Feature_marking.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -46,7 +48,7 @@ public:
     else
       use_input(tracer.edges(), geometry);
     s_.curve_lift = geometry.curve_lift;
-    place_nodes();
+    place_nodes(!geometry.reference);
     set_ideal_valences();
   }
 
@@ -66,7 +68,7 @@ private:
       m.add_vertex(r);
     }
     m.protect_vertices_below(Index(in_.points.size()));
-    for(const Quad& q : in_.quads) m.add_face(q, 0);
+    m.add_faces(in_.quads, 0);
     Index bad = -1;
     if(!m.link(&bad))
       throw Refused{
@@ -80,11 +82,16 @@ private:
   void check_umbrellas() const
   {
     const Quad_complex& m = s_.mesh;
-    std::vector<Index> out;
     for(Index v = 0; v < m.vertex_end(); ++v) {
       if(!m.is_vertex(v)) continue;
-      m.outgoing(v, out);
-      if(int(out.size()) != m.vertex(v).faces)
+      const Index start = m.vertex(v).halfedge;
+      int faces = 0;
+      Index h = start;
+      do {
+        ++faces;
+        h = m.turn_left(h);
+      } while(h >= 0 && h != start);
+      if(faces != m.vertex(v).faces)
         throw Refused{ Refusal::non_manifold, "joins parts of the mesh that share no edge there",
                        -1, v };
     }
@@ -94,25 +101,12 @@ private:
   void number_patches()
   {
     Quad_complex& m = s_.mesh;
-    Index number = 0;
-    std::vector<char> seen(m.face_end(), 0);
-    std::vector<Index> todo;
-    for(Index first = 0; first < m.face_end(); ++first) {
-      if(seen[first]) continue;
-      seen[first] = 1;
-      todo.push_back(first);
-      while(!todo.empty()) {
-        const Index f = todo.back();
-        todo.pop_back();
-        m.set_patch(f, number);
-        for(Index h = 4 * f; h < 4 * f + 4; ++h) {
-          if(m.curve(h) >= 0 || seen[m.face(m.opposite(h))]) continue;
-          seen[m.face(m.opposite(h))] = 1;
-          todo.push_back(m.face(m.opposite(h)));
-        }
-      }
-      s_.given_patch.push_back(in_.patch.empty() ? 0 : in_.patch[first]);
-      ++number;
+    const Face_parts parts(m, [&m](Index h) { return m.curve(h) < 0; });
+    s_.given_patch.reserve(parts.size());
+    for(Index f = 0; f < m.face_end(); ++f) {
+      m.set_patch(f, parts.of(f));
+      if(std::size_t(m.patch(f)) == s_.given_patch.size())
+        s_.given_patch.push_back(in_.patch.empty() ? 0 : in_.patch[f]);
     }
   }
 
@@ -180,19 +174,31 @@ private:
       });
   }
 
-  void place_nodes()
+  // `is_own`: the surface is the input itself.
+  void place_nodes(bool is_own)
   {
     Quad_complex& m = s_.mesh;
     for(Index v = 0; v < m.vertex_end(); ++v) {
       if(!m.is_vertex(v)) continue;
       Vertex_record& r = m.vertex(v);
       const Vec given = r.p;
+      if(is_own && s_.is_own_vertex(v) && has_corner(r.hint, v)) {
+        r.normal = s_.surface.normal(r.hint);
+        r.h = s_.size.at(r.p);
+        continue;
+      }
       s_.place(r);
       // where the surface is the input itself, nodes are on it already: keep their last bit
       if((r.p - given).squared_length() < 1e-24 * (given * given)) r.p = given;
       if(r.frozen) r.p = given;
       if(s_.surface.is_planar()) r.normal = s_.surface.normal(0);
     }
+  }
+
+  bool has_corner(Index triangle, Index v) const
+  {
+    const std::array<Index, 3>& t = s_.surface.triangles()[triangle];
+    return t[0] == v || t[1] == v || t[2] == v;
   }
 
   void set_ideal_valences()

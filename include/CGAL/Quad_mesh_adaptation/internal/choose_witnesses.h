@@ -30,31 +30,35 @@ struct Bend
   double turn_over(double length) const { return (std::max)(curvature * length, least); }
 };
 
-// Calls visit(bend, triangle, vertex) for all corners.
-template <typename Visit>
-void for_each_corner(const Reference_surface& surface, std::vector<Bend>& bends, const Visit& visit)
+// From the normal at a vertex to that of a triangle there, its centre so far away.  Most add
+// nothing to what is known, as a bound tells for the angle, which is dear.
+inline void add_turn(const Vec& normal, const Vec& away, Bend& b)
 {
-  for(Index t = 0; t < Index(surface.number_of_triangles()); ++t)
-    for(Index v : surface.triangles()[t]) visit(bends[v], t, v);
+  const double cosine = (std::max)(-1., (std::min)(1., b.normal * normal));
+  const double y = 1 - cosine, factor = y < 0.5 ? 1 + 0.1 * y : 2.; // angle <= factor * sqrt(2 y)
+  const double turn2 = 2 * y * factor * factor, way2 = away.squared_length();
+  if(turn2 <= b.curvature * b.curvature * way2 && 4 * turn2 <= b.least * b.least) return;
+  const double way = std::sqrt(way2), turn = std::acos(cosine);
+  if(!(turn > 1e-6 && way > 0)) return;
+  b.curvature = (std::max)(b.curvature, turn / way);
+  b.least = (std::max)(b.least, 2 * turn);
 }
 
 // Of all vertices; those on curves have none, because curves hold the mesh there.
 inline std::vector<Bend> bends_of(const Reference_surface& surface, const Size_sampler& size)
 {
   std::vector<Bend> bends(surface.points().size());
-  for_each_corner(surface, bends, [&](Bend& b, Index t, Index) {
-    b.normal = b.normal + surface.normal(t);
-    b.triangle = t;
-  });
+  for(Index t = 0; t < Index(surface.number_of_triangles()); ++t)
+    for(Index v : surface.triangles()[t]) {
+      bends[v].normal = bends[v].normal + surface.normal(t);
+      bends[v].triangle = t;
+    }
   for(Bend& b : bends) b.normal = normalized(b.normal);
-  for_each_corner(surface, bends, [&](Bend& b, Index t, Index v) {
+  for(Index t = 0; t < Index(surface.number_of_triangles()); ++t) {
     const std::array<Vec, 3> c = surface.triangle(t);
-    const double way = distance((c[0] + c[1] + c[2]) / 3, surface.points()[v]);
-    const double turn = std::acos((std::max)(-1., (std::min)(1., b.normal * surface.normal(t))));
-    if(!(turn > 1e-6 && way > 0)) return;
-    b.curvature = (std::max)(b.curvature, turn / way);
-    b.least = (std::max)(b.least, 2 * turn);
-  });
+    const Vec centre = (c[0] + c[1] + c[2]) / 3, normal = surface.normal(t);
+    for(int i = 0; i < 3; ++i) add_turn(normal, centre - c[i], bends[surface.triangles()[t][i]]);
+  }
   for(Index t = 0; t < Index(surface.number_of_triangles()); ++t)
     for(int i = 0; i < 3; ++i)
       if(surface.neighbour(t, i) < 0)

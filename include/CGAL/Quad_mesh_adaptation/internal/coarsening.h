@@ -6,19 +6,31 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/chord_coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/stir_where_irregular.h>
 #include <CGAL/Quad_mesh_adaptation/internal/thinning.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// Does a crease run through the mesh, or the part of it that is there?
 inline bool has_creases(const Adaptation_state& s)
 {
-  return std::any_of(s.curves.begin(), s.curves.end(),
-                     [](const Feature_curve& c) { return !c.is_border() && !c.is_frozen(); });
+  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h) {
+    if(!s.mesh.is_face(s.mesh.face(h)) || s.mesh.curve(h) < 0) continue;
+    const Feature_curve& c = s.curves[s.mesh.curve(h)];
+    if(!c.is_border() && !c.is_frozen()) return true;
+  }
+  return false;
+}
+
+// In a part of a mesh only about what is too small: what is too large waits to be refined.
+inline void stir_to_coarsen(Adaptation_state& s)
+{
+  stir_where_irregular(s, (std::numeric_limits<double>::infinity)());
 }
 
 // Coarsening by whole chords first, then by local operations: closing a face of a regular mesh
@@ -47,13 +59,14 @@ inline void coarsen_relaxed(Adaptation_state& s, const Improvement_options& clea
       relaxed.max_valence = 6;
       relaxed.min_jacobian = shortens_creases ? 0.5 : 0.3; // corners on creases do not open again
       relaxed.first_gain = far;
-      s.stir_all();
+      stir_to_coarsen(s);
       Local_improvement(s, relaxed).passes(3);
       smooth(s, 3);
       s.energy.valence = strict;
       s.forget_energies();
     }
-    clean_up(s, clean, 3, 3);
+    stir_to_coarsen(s);
+    clean_up_stirred(s, clean, 3, 3);
     if(s.mesh.number_of_faces() <= 0.99 * before) continue;
     if(shortens_creases || !has_creases(s)) break;
     shortens_creases = true;

@@ -7,7 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
 #include <CGAL/Quad_mesh_adaptation/Poor_face.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Kept_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_figures.h>
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 
 #include <cstddef>
@@ -36,7 +36,7 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void build_state(const Input_mesh& in,
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL Mesh_measures
 measured_state(const Adaptation_state& s, const std::optional<Triangle_soup>& reference,
-               Kept_sizes* kept = nullptr);
+               Figures_of_faces* kept = nullptr);
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL std::vector<Poor_face> poor_faces(const Adaptation_state& s,
                                                                       double floor);

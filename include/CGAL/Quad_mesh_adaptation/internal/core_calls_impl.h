@@ -25,8 +25,9 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void build_state(const Input_mesh& in,
   State_builder(in, features, s)(geometry);
 }
 
-CGAL_QUAD_MESH_ADAPTATION_CORE_CALL Mesh_measures measured_state(
-    const Adaptation_state& s, const std::optional<Triangle_soup>& reference, Kept_sizes* kept)
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL Mesh_measures
+measured_state(const Adaptation_state& s, const std::optional<Triangle_soup>& reference,
+               Figures_of_faces* kept)
 {
   return measure_state(s, reference, kept);
 }

@@ -6,24 +6,60 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// From one face to another: the way between their centres, and the turn of their normals.
-struct Way_and_turn
-{
-  Vec way = Vec(0, 0, 0), turn = Vec(0, 0, 0);
+inline Vec centre_of(const Corners& p) { return 0.25 * (p[0] + p[1] + (p[2] + p[3])); }
 
-  Way_and_turn(const Corners& from, const Corners& to)
-      : way(0.25 * (to[0] - from[0] + to[1] - from[1] + (to[2] - from[2]) + (to[3] - from[3]))),
-        turn(normalized(area_vector(to)) - normalized(area_vector(from)))
+// The neighbour of f across half-edge h, or f itself where there is none or a feature curve is
+// between them.
+inline Index neighbour_within_patch(const Quad_complex& m, Index f, Index h)
+{
+  return m.opposite(h) < 0 || m.curve(h) >= 0 ? f : m.face(m.opposite(h));
+}
+
+// A face as the curvatures see it.
+struct Face_frame
+{
+  Vec centre, normal;
+
+  explicit Face_frame(const Corners& p) : centre(centre_of(p)), normal(normalized(area_vector(p)))
   {
   }
 };
+
+// From one face to another: the way between their centres, and the turn of their normals.
+struct Way_and_turn
+{
+  Vec way, turn;
+
+  Way_and_turn(const Face_frame& from, const Face_frame& to)
+      : way(to.centre - from.centre), turn(to.normal - from.normal)
+  {
+  }
+};
+
+// A bound for the principal curvatures that face f can have, whatever its neighbours' normals, by
+// the centres of faces alone; infinite where nothing can be said.
+inline double largest_curvature(const Adaptation_state& s, Index f, const std::vector<Vec>& centres)
+{
+  const Quad_complex& m = s.mesh;
+  const auto centre = [&](int i) { return centres[neighbour_within_patch(m, f, 4 * f + i)]; };
+  const Vec a = centre(2) - centre(0), b = centre(3) - centre(1), n = area_vector(s.corners(f));
+  const double nn = n * n, both = a * a + b * b, d = cross(a, b) * n;
+  if(!(nn > 0 && d * d > 0)) return (std::numeric_limits<double>::infinity)();
+  // the ways stretch by `least` at least, squared, and both turns by no more than 2
+  const double area2 = d * d / nn,
+               least = 2 * area2 / (both + std::sqrt((std::max)(both * both - 4 * area2, 0.)));
+  return std::sqrt(8 / least);
+}
 
 // Principal curvatures of the surface at face f, without signs, from its neighbours in both
 // directions, but for those beyond feature curves.  The shape operator maps ways to turns; across a
@@ -31,9 +67,8 @@ struct Way_and_turn
 inline std::array<double, 2> face_curvatures(const Adaptation_state& s, Index f)
 {
   constexpr double parallel = 1e-6;
-  const Quad_complex& m = s.mesh;
   const auto beyond = [&](Index h) {
-    return s.corners(m.opposite(h) < 0 || m.curve(h) >= 0 ? f : m.face(m.opposite(h)));
+    return Face_frame(s.corners(neighbour_within_patch(s.mesh, f, h)));
   };
   const Way_and_turn ways[2] = { { beyond(4 * f), beyond(4 * f + 2) },
                                  { beyond(4 * f + 1), beyond(4 * f + 3) } };

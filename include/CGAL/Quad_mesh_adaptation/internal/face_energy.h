@@ -39,6 +39,21 @@ inline double scaled_jacobian(const Corners& p)
   return n * n > 0 ? worst : 0.;
 }
 
+// Is the scaled Jacobian below `floor`?  Most faces are far enough above it for squares to tell.
+inline bool is_jacobian_below(const Corners& p, double floor)
+{
+  constexpr double margin = 1 + 1e-9;
+  const Vec n = area_vector(p), e[4] = { p[1] - p[0], p[2] - p[1], p[3] - p[2], p[0] - p[3] };
+  const double l[4] = { e[0] * e[0], e[1] * e[1], e[2] * e[2], e[3] * e[3] };
+  const double least = margin * floor * floor * (n * n);
+  for(int i = 0; i < 4; ++i) {
+    const int j = (i + 3) & 3;
+    const double d = n * cross(e[j], e[i]);
+    if(!(floor > 0 && d > 0 && d * d > least * l[j] * l[i])) return scaled_jacobian(p) < floor;
+  }
+  return false;
+}
+
 // Warp as a quality to compare with scaled Jacobians: 1 for faces folded by 40 degrees or less, and
 // below the floor of shapes from some 65 degrees on.
 inline double flatness(double warp) { return (std::min)(1., 1 - 1.4 * (warp - 0.5)); }

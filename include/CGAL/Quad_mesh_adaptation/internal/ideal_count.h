@@ -38,7 +38,8 @@ struct Integral_and_error
 // 1/h^2 over one triangle by the four-point rule of degree 3 (Strang and Fix).  The one-point rule
 // it contains is off by a share r of the value; where h varies smoothly over the triangle the
 // better rule is off by about r^2, which the estimate overstates tenfold.
-inline Integral_and_error inverse_square_on(const Triangle& t, const Size_function& size)
+template <typename Size>
+Integral_and_error inverse_square_on(const Triangle& t, const Size& size)
 {
   // h^2 may be zero although h is not; differences of infinite values say nothing
   const auto density = [&size](const Vec& p) {
@@ -71,10 +72,6 @@ public:
     const Quad& q = quads_[i / 2];
     return halves(points_[q[0]], points_[q[1]], points_[q[2]], points_[q[3]])[i % 2];
   }
-  Integral_and_error integral(std::size_t i, const Size_function& size) const
-  {
-    return inverse_square_on((*this)[i], size);
-  }
 
 private:
   const std::vector<Vec>& points_;
@@ -90,32 +87,29 @@ inline void append_quarters(const Triangle& t, std::vector<Triangle>& parts)
   parts.push_back({ ab, bc, ca });
 }
 
-inline Integral_and_error integral_over(const std::vector<Triangle>& triangles, std::size_t i,
-                                        const Size_function& size)
+// Integrals over triangles, by their numbers; other lists of triangles may know them.
+template <typename Triangles, typename Size>
+std::vector<Integral_and_error> integrals_over(const Triangles& triangles, const Size& size)
 {
-  return inverse_square_on(triangles[i], size);
-}
-
-template <typename Halves>
-Integral_and_error integral_over(const Halves& halves, std::size_t i, const Size_function& size)
-{
-  return halves.integral(i, size);
+  std::vector<Integral_and_error> found(triangles.size());
+  for(std::size_t i = 0; i < found.size(); ++i) found[i] = inverse_square_on(triangles[i], size);
+  return found;
 }
 
 // The integral over triangles, refined from round to round.
+template <typename Size>
 class Ideal_count
 {
 public:
-  explicit Ideal_count(const Size_function& size) : size_(size) {}
+  explicit Ideal_count(const Size& size) : size_(size) {}
 
   // One round: those of the triangles whose quarters are to be looked at; none in the end.
   template <typename Triangles>
   std::vector<Triangle> round(const Triangles& triangles)
   {
-    std::vector<Integral_and_error> found(triangles.size());
+    const auto found = integrals_over(triangles, size_);
     double open = 0, open_error = 0;
     for(std::size_t i = 0; i < found.size(); ++i) {
-      found[i] = integral_over(triangles, i, size_);
       open += found[i].value;
       open_error += found[i].error;
     }
@@ -146,20 +140,22 @@ private:
   static constexpr double tolerance = 3e-4;
   static constexpr std::size_t most_extra_triangles = 1000000;
 
-  const Size_function& size_;
+  const Size& size_;
   double value_ = 0, done_ = 0, done_error_ = 0;
   std::size_t extra_ = 0;
 };
+
+// So many are looked at as they are; fewer are cut.
+constexpr std::size_t least_triangles = 16384;
 
 // Number of ideal faces: the integral of 1/h^2 over the triangles, refined where the error
 // estimate is large until the sum of estimates is below 3e-4 of the value.  A few large triangles
 // are first cut into at least 16384, lest a narrow dip of the size between the sample points be
 // missed.  At most about 4 n + 4e6 evaluations of the size for n triangles.
-template <typename Triangles>
-double ideal_number_of_faces(const Triangles& triangles, const Size_function& size)
+template <typename Triangles, typename Size>
+double ideal_number_of_faces(const Triangles& triangles, const Size& size)
 {
-  constexpr std::size_t least_triangles = 16384;
-  Ideal_count count(size);
+  Ideal_count<Size> count(size);
   std::vector<Triangle> parts;
   if(triangles.size() >= least_triangles)
     parts = count.round(triangles);

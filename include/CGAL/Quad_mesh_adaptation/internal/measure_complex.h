@@ -5,8 +5,8 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_COMPLEX_H
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_parts.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
-#include <CGAL/Quad_mesh_adaptation/internal/measure_topology.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,17 +15,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// Parts of the mesh that are linked by edges.
-inline std::size_t number_of_components(const Quad_complex& m)
-{
-  Vertex_sets sets(std::size_t(m.face_end()));
-  for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && m.opposite(h) > h) sets.unite(m.face(h), m.face(m.opposite(h)));
-  std::size_t n = 0;
-  for(Index f = 0; f < m.face_end(); ++f) n += m.is_face(f) && sets.find(f) == f;
-  return n;
-}
 
 // Closed ways along the border.
 inline std::size_t number_of_border_loops(const Quad_complex& m)
@@ -63,7 +52,7 @@ inline void measure_topology(const Quad_complex& c, Mesh_measures& m)
   m.faces = std::size_t(c.number_of_faces());
   m.edges = (4 * m.faces + m.boundary_edges) / 2;
   m.euler_characteristic = long(m.vertices) - long(m.edges) + long(m.faces);
-  m.components = number_of_components(c);
+  m.components = Face_parts(c, [](Index) { return true; }).size();
   m.boundary_loops = number_of_border_loops(c);
 }
 

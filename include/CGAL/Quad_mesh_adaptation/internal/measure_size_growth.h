@@ -20,11 +20,12 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // Samples the size on a grid of cells in every face and sums up the cells that are too steep.
+template <typename Size>
 class Size_growth_meter
 {
 public:
   // `cells` per direction of a face.
-  Size_growth_meter(const Size_function& size, int cells)
+  Size_growth_meter(const Size& size, int cells)
       : size_(size), cells_(cells), points_(std::size_t(cells + 1) * std::size_t(cells + 1)),
         sizes_(points_.size()), densities_(points_.size())
   {
@@ -37,9 +38,8 @@ public:
     add(face, at_corners);
   }
 
-  // By the sizes at its corners, and those in the middles of its edges, or none.
-  void add(const std::array<Vec, 4>& face, const std::array<double, 4>& at_corners,
-           const std::array<double, 4>* at_middles = nullptr)
+  // By the sizes at its corners.
+  void add(const std::array<Vec, 4>& face, const std::array<double, 4>& at_corners)
   {
     const int n = cells_;
     for(int j = 0; j <= n; ++j)
@@ -47,12 +47,47 @@ public:
         const double u = double(i) / n, v = double(j) / n;
         Vec& p = points_[at(i, j)];
         p = (1 - v) * ((1 - u) * face[0] + u * face[1]) + v * ((1 - u) * face[3] + u * face[2]);
-        const bool is_corner = i % n == 0 && j % n == 0, is_middle = n == 2 && (i + j) % 2 == 1;
-        if(!is_corner && !(is_middle && at_middles)) sizes_[at(i, j)] = size_(p);
+        if(i % n != 0 || j % n != 0) sizes_[at(i, j)] = size_(p);
       }
     set_sizes({ at(0, 0), at(n, 0), at(n, n), at(0, n) }, at_corners);
-    if(at_middles && n == 2) set_sizes({ at(1, 0), at(2, 1), at(1, 2), at(0, 1) }, *at_middles);
-    add_cells();
+    for(std::size_t k = 0; k < sizes_.size(); ++k) densities_[k] = 0.25 / (sizes_[k] * sizes_[k]);
+    for(int j = 0; j < n; ++j)
+      for(int i = 0; i < n; ++i) {
+        const Cell c = { at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) };
+        add_cell(c, steepest_in(c).squared());
+      }
+  }
+
+  // The same in four cells, by those in the middles of its edges, too.
+  void add(const std::array<Vec, 4>& face, const std::array<double, 4>& at_corners,
+           const std::array<double, 4>& at_middles)
+  {
+    const Vec low = 0.5 * (face[0] + face[1]), high = 0.5 * (face[3] + face[2]);
+    points_ = { face[0],
+                low,
+                face[1],
+                0.5 * (face[0] + face[3]),
+                0.5 * (low + high),
+                0.5 * (face[1] + face[2]),
+                face[3],
+                high,
+                face[2] };
+    sizes_ = { at_corners[0], at_middles[0], at_corners[1], at_middles[3], size_(points_[4]),
+               at_middles[1], at_corners[3], at_middles[2], at_corners[2] };
+    for(std::size_t k = 0; k < 9; ++k) densities_[k] = 0.25 / (sizes_[k] * sizes_[k]);
+    std::array<double, 6> rows, columns; // squared slopes along edges of the cells
+    for(std::size_t k = 0; k < 6; ++k) {
+      const std::size_t r = k / 2 * 3 + k % 2;
+      rows[k] = slope(r, r + 1).squared();
+      columns[k] = slope(k, k + 3).squared();
+    }
+    for(std::size_t k = 0; k < 4; ++k) {
+      const std::size_t j = k / 2, i = k % 2, c = 3 * j + i;
+      const double steepest =
+          (std::max)({ rows[2 * j + i], rows[2 * j + 2 + i], columns[c], columns[c + 1],
+                       slope(c, c + 4).squared(), slope(c + 1, c + 3).squared() });
+      add_cell({ c, c + 1, c + 4, c + 3 }, steepest);
+    }
   }
 
   Size_growth result() const
@@ -77,35 +112,21 @@ private:
     for(int k = 0; k < 4; ++k) sizes_[where[k]] = sizes[k];
   }
 
-  void add_cells()
-  {
-    for(std::size_t k = 0; k < sizes_.size(); ++k) densities_[k] = 0.25 / (sizes_[k] * sizes_[k]);
-    for(int j = 0; j < cells_; ++j)
-      for(int i = 0; i < cells_; ++i)
-        add_cell({ at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) });
-  }
+  using Cell = std::array<std::size_t, 4>; // corners
 
-  // All six pairs of corners: some pair is within 22.5 degrees of the size's gradient.
-  void add_cell(const std::array<std::size_t, 4>& c)
+  // `steepest`: the largest squared slope between its corners.
+  void add_cell(const Cell& c, double steepest)
   {
     constexpr double followed2 = Size_growth::followed_slope * Size_growth::followed_slope;
-    Slope steepest;
     double density = 0;
-    for(int i = 0; i < 4; ++i) {
-      density += densities_[c[i]];
-      for(int j = i + 1; j < 4; ++j) {
-        const Slope s = slope(c[i], c[j]);
-        if(s.is_steeper_than(steepest)) steepest = s;
-      }
-    }
-    const double steepest2 = steepest.squared();
-    note(steepest, steepest2);
+    for(std::size_t k : c) density += densities_[k];
+    if(steepest > largest2_) note(steepest_in(c), steepest);
     const double area =
         0.5 * norm(cross(points_[c[2]] - points_[c[0]], points_[c[3]] - points_[c[1]]));
     area_ += area;
     faces_ += area * density;
-    growth_.mean_square_slope += area * density * (std::min)(steepest2, 1.);
-    if(!(steepest2 > followed2)) return;
+    growth_.mean_square_slope += area * density * (std::min)(steepest, 1.);
+    if(!(steepest > followed2)) return;
     growth_.steep_area_share += area;
     growth_.steep_faces += area * density;
     for(int i = 0; i < 4; ++i)
@@ -129,9 +150,20 @@ private:
     return length2 > 0 ? Slope{ rise * rise, length2, a, b } : Slope{ 0, 1, a, b };
   }
 
+  // All six pairs of corners: some pair is within 22.5 degrees of the size's gradient.
+  Slope steepest_in(const Cell& c) const
+  {
+    Slope steepest;
+    for(int i = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j) {
+        const Slope s = slope(c[i], c[j]);
+        if(s.is_steeper_than(steepest)) steepest = s;
+      }
+    return steepest;
+  }
+
   void note(const Slope& s, double squared)
   {
-    if(!(squared > largest2_)) return;
     largest2_ = squared;
     growth_.largest_slope = std::sqrt(squared);
     const Vec middle = 0.5 * (points_[s.from] + points_[s.to]);
@@ -143,7 +175,7 @@ private:
     growth_.largest_jump = (std::max)(growth_.largest_jump, (std::max)(a, b) / (std::min)(a, b));
   }
 
-  const Size_function& size_;
+  const Size& size_;
   int cells_;
   std::vector<Vec> points_;
   std::vector<double> sizes_, densities_; // a quarter of the inverse squares
@@ -152,25 +184,23 @@ private:
 };
 
 // Sizes that faces share, asked for once.
+template <typename Size>
 class Shared_sizes
 {
 public:
-  // `links`: of the quads, if they are known; else only the corners are shared.
-  Shared_sizes(const std::vector<Vec>& points, const std::vector<Quad>& quads,
-               const Size_function& size, const Quad_complex* links)
-      : points_(points), quads_(quads), size_(size), links_(links), at_points_(points.size(), 0.),
-        at_middles_(links ? 4 * quads.size() : 0)
+  // `links`: of the quads, if they are known; else only the corners are shared.  `has_sizes`: its
+  // nodes have their sizes already.
+  Shared_sizes(const std::vector<Vec>& points, const std::vector<Quad>& quads, const Size& size,
+               const Quad_complex* links, bool has_sizes)
+      : points_(points), quads_(quads), size_(size), links_(links), has_sizes_(has_sizes),
+        at_points_(has_sizes ? 0 : points.size(), 0.), at_middles_(links ? 4 * quads.size() : 0)
   {
   }
 
   std::array<double, 4> at_corners(std::size_t f)
   {
     std::array<double, 4> sizes;
-    for(int i = 0; i < 4; ++i) {
-      double& h = at_points_[quads_[f][i]]; // not known: zero
-      if(!(h > 0)) h = size_(points_[quads_[f][i]]);
-      sizes[i] = h;
-    }
+    for(int i = 0; i < 4; ++i) sizes[i] = at_point(quads_[f][i]);
     return sizes;
   }
 
@@ -190,33 +220,45 @@ public:
   }
 
 private:
+  double at_point(Index v)
+  {
+    if(has_sizes_) { // but where the node has been put somewhere else
+      const Vertex_record& r = links_->vertex(v);
+      return r.p == points_[v] && !r.frozen ? r.h : size_(points_[v]);
+    }
+    double& h = at_points_[v]; // not known: zero
+    if(!(h > 0)) h = size_(points_[v]);
+    return h;
+  }
+
   const std::vector<Vec>& points_;
   const std::vector<Quad>& quads_;
-  const Size_function& size_;
+  const Size& size_;
   const Quad_complex* links_;
+  bool has_sizes_;
   std::vector<double> at_points_, at_middles_; // by half-edge
 };
 
 // At least two cells along each side of a face, and some 4096 in all.  Less is asked for of a size
-// where the links of the quads are known.
-inline Size_growth measure_size_growth(const std::vector<Vec>& points,
-                                       const std::vector<Quad>& quads, const Size_function& size,
-                                       const Quad_complex* links = nullptr)
+// where the links of the quads are known, and less still where the nodes there have their sizes.
+template <typename Size>
+Size_growth measure_size_growth(const std::vector<Vec>& points, const std::vector<Quad>& quads,
+                                const Size& size, const Quad_complex* links = nullptr,
+                                bool has_sizes = false)
 {
   if(quads.empty()) return Size_growth();
   const int cells = (std::max)(2, int(std::ceil(std::sqrt(4096. / double(quads.size())))));
+  const bool is_linked = links && cells == 2;
   Size_growth_meter meter(size, cells);
-  Shared_sizes shared(points, quads, size, cells == 2 ? links : nullptr);
+  Shared_sizes shared(points, quads, size, is_linked ? links : nullptr, is_linked && has_sizes);
   for(std::size_t f = 0; f < quads.size(); ++f) {
     const Quad& q = quads[f];
     const std::array<Vec, 4> p = { points[q[0]], points[q[1]], points[q[2]], points[q[3]] };
     const std::array<double, 4> at_corners = shared.at_corners(f);
-    if(links && cells == 2) {
-      const std::array<double, 4> at_middles = shared.at_middles(f);
-      meter.add(p, at_corners, &at_middles);
-    } else {
+    if(is_linked)
+      meter.add(p, at_corners, shared.at_middles(f));
+    else
       meter.add(p, at_corners);
-    }
   }
   return meter.result();
 }

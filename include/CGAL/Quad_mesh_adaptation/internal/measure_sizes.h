@@ -5,7 +5,6 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_SIZES_H
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Kept_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <algorithm>
@@ -33,19 +32,12 @@ inline std::size_t size_ratio_bin(double f)
   return f <= 1.5 ? 6 : 7;
 }
 
-// Eq. 1: the mean of the four edge lengths.
-inline double face_size(const std::array<Vec, 4>& p)
-{
-  return 0.25 * (distance(p[0], p[1]) + distance(p[1], p[2]) + distance(p[2], p[3]) +
-                 distance(p[3], p[0]));
-}
-
 inline Vec face_centre(const std::array<Vec, 4>& p) { return 0.25 * (p[0] + p[1] + p[2] + p[3]); }
 
 // The size a face must meet wherever its centre lies: the smaller of the size at the centre and
 // the inverse root mean square of the sizes at the 2x2 Gauss points of the bilinear patch.
-inline double strict_size(const std::array<Vec, 4>& p, const Size_function& size,
-                          double size_at_centre)
+template <typename Size>
+double strict_size(const std::array<Vec, 4>& p, const Size& size, double size_at_centre)
 {
   const double offset = 0.5 / std::sqrt(3.);
   double density = 0;
@@ -84,29 +76,6 @@ private:
   Size_ratio_table table;
   double sum = 0, max = 0, min = std::numeric_limits<double>::infinity();
 };
-
-inline void measure_sizes(const std::vector<Vec>& points, const std::vector<Quad>& quads,
-                          const Size_function& size, const std::vector<double>* strict_ratios,
-                          Kept_sizes* kept, Mesh_measures& m)
-{
-  Size_ratio_counter at_centre, strict;
-  for(std::size_t i = 0; i < quads.size(); ++i) {
-    const Quad& f = quads[i];
-    const std::array<Vec, 4> p = { points[f[0]], points[f[1]], points[f[2]], points[f[3]] };
-    Face_sizes* known = kept && strict_ratios ? kept->of(i) : nullptr;
-    if(known && known->ratio_at_centre >= 0) {
-      at_centre.add(known->ratio_at_centre);
-      strict.add((*strict_ratios)[i]);
-      continue;
-    }
-    const double mean_length = face_size(p), h = size(face_centre(p)), ratio = mean_length / h;
-    if(known) known->ratio_at_centre = ratio;
-    at_centre.add(ratio);
-    strict.add(strict_ratios ? (*strict_ratios)[i] : mean_length / strict_size(p, size, h));
-  }
-  m.size_ratio = at_centre.result();
-  m.strict_size_ratio = strict.result();
-}
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

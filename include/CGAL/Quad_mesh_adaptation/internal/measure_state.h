@@ -7,7 +7,8 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
-#include <CGAL/Quad_mesh_adaptation/internal/measure.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_complex.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_faces.h>
 
 #include <algorithm>
 #include <optional>
@@ -26,51 +27,53 @@ inline std::vector<Triangle> corner_points(const Triangle_soup& soup)
   return list;
 }
 
-// As nodes of an input that is its own reference are, so that they lie on it to the last bit.
-inline bool is_corner_of_surface(const Adaptation_state& s, const Vertex_record& r)
+// How far nodes are from where they belong.
+inline double largest_distance_of_nodes(const Adaptation_state& s)
 {
-  if(r.carrier != Carrier::surface || r.hint < 0 || s.surface.is_planar() || s.surface.has_lift())
-    return false;
-  const Triangle t = s.surface.triangle(r.hint);
-  return std::find(t.begin(), t.end(), r.p) != t.end();
+  double far = 0;
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
+    if(!s.mesh.is_vertex(v) || s.is_own_vertex(v)) continue;
+    Vertex_record r = s.mesh.vertex(v);
+    s.put_on_carrier(r);
+    far = (std::max)(far, distance(s.mesh.point(v), r.p));
+  }
+  return far;
+}
+
+inline void measure_faces_of(const Adaptation_state& s, const std::vector<Triangle>* reference,
+                             Figures_of_faces& figures, Mesh_measures& m)
+{
+  figures.look_at(s.mesh);
+  const bool is_strict = s.size.sampling == Size_sampling::strict;
+  const auto size = [&s](const Vec& p) { return s.size.unscaled(p); };
+  const auto corners_of = [&](std::size_t k) { return s.corners(figures.face(k)); };
+  // strict ratios are asked for before and after this, too
+  const auto strict = [&](std::size_t k, const Corners& p, double length, double h) {
+    return is_strict ? s.size_ratio(figures.face(k), p, length, h) * s.size.scale()
+                     : length / strict_size(p, size, h);
+  };
+  const auto known_strict = [&](std::size_t k) {
+    if(is_strict) return s.size_ratio(figures.face(k)) * s.size.scale();
+    const Corners p = corners_of(k);
+    return mean_edge_length(p) / strict_size(p, size, size(face_centre(p)));
+  };
+  measure_faces(corners_of, size, strict, known_strict, reference, figures, m);
 }
 
 // What is kept of faces of the input is used, and kept if it is not yet.
 inline Mesh_measures measure_state(const Adaptation_state& s,
                                    const std::optional<Triangle_soup>& reference,
-                                   Kept_sizes* kept = nullptr)
+                                   Figures_of_faces* kept = nullptr)
 {
-  std::vector<Vec> points(s.mesh.vertex_end(), Vec(0, 0, 0));
-  std::vector<Quad> quads;
-  quads.reserve(s.mesh.number_of_faces());
-  if(kept) kept->look_at(s.mesh);
-  double far = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-    if(!s.mesh.is_vertex(v)) continue;
-    Vertex_record r = s.mesh.vertex(v);
-    points[v] = r.p;
-    if(is_corner_of_surface(s, r)) continue;
-    s.put_on_carrier(r);
-    far = (std::max)(far, distance(points[v], r.p));
-  }
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) quads.push_back(s.mesh.quad(f));
-  const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
-  std::vector<double> strict; // they are asked for before and after this, too
-  if(s.size.sampling == Size_sampling::strict) {
-    strict.reserve(quads.size());
-    for(Index f = 0; f < s.mesh.face_end(); ++f)
-      if(s.mesh.is_face(f)) strict.push_back(s.size_ratio(f) * s.size.scale());
-  }
-  std::optional<std::vector<Triangle>> triangles;
-  if(reference) triangles = corner_points(*reference);
-  Mesh_measures m = measure(points, quads, size, triangles ? &*triangles : nullptr,
-                            strict.empty() ? nullptr : &strict, kept, &s.mesh);
-  triangles.reset(); // distances need the memory
-  points = std::vector<Vec>();
-  quads = std::vector<Quad>();
-  strict = std::vector<double>();
-  m.max_distance_to_reference = far;
+  Mesh_measures m;
+  measure_topology(s.mesh, m);
+  {
+    std::optional<std::vector<Triangle>> triangles;
+    if(reference) triangles = corner_points(*reference);
+    Figures_of_faces figures;
+    measure_faces_of(s, triangles ? &*triangles : nullptr, kept ? *kept : figures, m);
+  } // distances need the memory
+  m.max_distance_to_reference = largest_distance_of_nodes(s);
   const Distance_measure distances(s);
   m.mesh_to_reference = distances.to_reference();
   m.reference_to_mesh = distances.from_reference();

@@ -220,15 +220,15 @@ private:
                      position };
     };
     if(q[0] == q[2] || q[1] == q[3]) refuse("uses a vertex twice");
-    double longest = 0, shortest = -1;
+    double longest = 0, shortest = -1; // squared
     for(int i = 0; i < 4; ++i) {
-      const double l = distance(in.points[q[i]], in.points[q[(i + 1) & 3]]);
+      const double l = (in.points[q[i]] - in.points[q[(i + 1) & 3]]).squared_length();
       longest = (std::max)(longest, l);
       shortest = shortest < 0 ? l : (std::min)(shortest, l);
     }
-    if(!(shortest > 1e-12 * longest)) refuse("has an edge of length zero");
+    if(!(std::sqrt(shortest) > 1e-12 * std::sqrt(longest))) refuse("has an edge of length zero");
     const Vec a = cross(in.points[q[2]] - in.points[q[0]], in.points[q[3]] - in.points[q[1]]);
-    if(!(norm(a) > 1e-12 * longest * longest)) refuse("has no area");
+    if(!(norm(a) > 1e-12 * longest)) refuse("has no area");
   }
 
   const QuadMesh& mesh_;

@@ -91,7 +91,7 @@ inline std::vector<Poor_face> poor_shapes(const Adaptation_state& s, double floo
 {
   std::vector<Poor_face> list;
   for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && scaled_jacobian(s.corners(f)) < floor) {
+    if(s.mesh.is_face(f) && is_jacobian_below(s.corners(f), floor)) {
       list.push_back(shape_limit(s, f, floor));
       list.back().face = std::size_t(f);
     }

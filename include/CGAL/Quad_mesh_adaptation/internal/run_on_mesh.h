@@ -45,7 +45,8 @@ inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s,
 {
   if(s.size.is_constant()) return;
   report.size_growth = measure_size_growth(
-      in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); }, &s.mesh);
+      in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); }, &s.mesh,
+      s.size.scale() == 1);
   const std::string text = advice_on(report.size_growth);
   if(!text.empty()) report.advice.push_back(text);
 }
@@ -178,7 +179,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     geometry.reference = reference ? &*reference : nullptr;
     build_state(in, features, geometry, s);
     count_features(s, report);
-    std::optional<Kept_sizes> kept(in);
+    std::optional<Figures_of_faces> kept(in);
     report.before = measured_state(s, reference, &*kept);
     if(!fits_mostly(report.before.strict_size_ratio)) kept.reset();
     advise_on_sizes(in, s, report);

@@ -26,7 +26,7 @@ inline bool has_good_valence(const Vertex_record& r)
 inline bool is_good(const Adaptation_state& s, Index f)
 {
   if(s.size_ratio(f) > size_tolerance) return false;
-  if(scaled_jacobian(s.corners(f)) < s.smoothing.min_corner) return false;
+  if(is_jacobian_below(s.corners(f), s.smoothing.min_corner)) return false;
   const Quad q = s.mesh.quad(f);
   return std::all_of(q.begin(), q.end(),
                      [&](Index v) { return has_good_valence(s.mesh.vertex(v)); });
@@ -154,32 +154,6 @@ inline bool stay_near_work(Adaptation_state& s)
   for(Index v = 0; v < s.mesh.vertex_end(); ++v)
     if(!s.mesh.is_vertex(v)) s.region[v] = 1; // may become a new one
   return true;
-}
-
-// Where is there something to gain by operations that raise the energy at first?  Everywhere, but
-// in a mesh of which only a part is worked on, only about irregular nodes and faces that do not
-// have their size: the rest of the part has been halved and is as good as it was.
-inline void stir_where_irregular(Adaptation_state& s)
-{
-  constexpr int rings = 3;
-  constexpr double small = 0.75, large = 1.02;
-  if(s.region.empty()) return s.stir_all();
-  const auto is_irregular = [&](Index v) {
-    const Vertex_record& r = s.mesh.vertex(v);
-    return r.faces != r.ideal_faces;
-  };
-  std::vector<Index> list;
-  for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f)) continue;
-    const Quad q = s.mesh.quad(f);
-    if(!std::any_of(q.begin(), q.end(), [&](Index v) { return s.is_to_work_on(v); })) continue;
-    const double ratio = s.size_ratio(f);
-    if(ratio < small || ratio > large || std::any_of(q.begin(), q.end(), is_irregular))
-      list.push_back(f);
-  }
-  s.stirred = nodes_around(s.mesh, list, rings);
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(!s.is_to_work_on(v)) s.stirred[v] = 0;
 }
 
 // The energy of the faces to work on in a good mesh must fall by this share of it for the mesh to
