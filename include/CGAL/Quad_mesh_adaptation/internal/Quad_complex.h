@@ -232,15 +232,20 @@ private:
   Index low_end(Index h) const { return (std::min)(origin(h), target(h)); }
 
   // In one pass, each with the first one of its edge, which is listed at its lower end.  False
-  // where there are more than two, or two that run the same way.
+  // where there are more than two, or two that run the same way, and where lists are long.
   bool link_all()
   {
+    constexpr int longest = 200;
     std::vector<Index> first(vertices_.size(), -1), next(origin_.size());
     for(Index h = 0; h < Index(origin_.size()); ++h) {
       if(origin_[h] < 0) continue;
       const Index u = origin(h), v = target(h), low = (std::min)(u, v);
       Index g = first[low];
-      while(g >= 0 && origin(g) + target(g) != u + v) g = next[g];
+      int looked_at = 0;
+      while(g >= 0 && origin(g) + target(g) != u + v) {
+        g = next[g];
+        if(++looked_at > longest) return false;
+      }
       opposite_[h] = -1;
       if(g < 0) {
         next[h] = first[low];
