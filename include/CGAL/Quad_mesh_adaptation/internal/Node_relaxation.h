@@ -167,6 +167,13 @@ private:
     m->H[2] += c2 * s[1] * s[1];
   }
 
+  // Is no face too large, by the exact sizes, with the node at x, or none more so than one is now?
+  bool keeps_within_size(const Vec& x, const Vec& now) const
+  {
+    const double largest = largest_ratio(x);
+    return largest <= 1 || largest <= largest_ratio(now); // in most cases one is enough
+  }
+
   // Largest size ratio of the star with the node at x, by the exact sizes.
   double largest_ratio(const Vec& x) const
   {
@@ -239,8 +246,7 @@ private:
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
          after.inverted <= before.inverted &&
          after.worst >= (std::min)(before.worst, s_.smoothing.min_corner) &&
-         (!s_.smoothing.keep_within_size ||
-          largest_ratio(t.p) <= (std::max)(largest_ratio(r.p), 1.))) {
+         (!s_.smoothing.keep_within_size || keeps_within_size(t.p, r.p))) {
         r = t;
         worst_ = after.worst;
         return true;
