@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -26,6 +27,12 @@ struct Node_relaxation_access
     for(int i = 0; i < dofs; ++i) t[i] = relax.t_[i];
     relax.evaluate(r, &m);
     return dofs;
+  }
+
+  static bool keeps_within_size(Node_relaxation& relax, const Vertex_record& r, const Vec& now)
+  {
+    relax.largest_now_ = -1;
+    return relax.keeps_within_size(r, now);
   }
 };
 
@@ -220,6 +227,45 @@ TEST(Node_relaxation, NeverWorseNeverOffItsCarrier)
         }
     }
   EXPECT_GT(moves, 1000u);
+}
+
+// The answer that takes few values of the size is that of all of them.
+TEST(Node_relaxation, KeepsWithinSizeByItsDefinition)
+{
+  Random random(zoo_mesh::seed());
+  int answers[2] = { 0, 0 }, allowed_above = 0;
+  for(double h : { 0.7, 0.95, 1.2 }) {
+    state_fixture::Options o;
+    o.size = [h](const Vec& p) {
+      return h * (1 + 0.2 * std::sin(3 * p.x()) * std::cos(2 * p.y()));
+    };
+    Adaptation_state s = make_state(shape_zoo::plate(8, 6), o);
+    shake(s, random, 0.2);
+    Node_relaxation relax(s);
+    for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+      for(int i = 0; i < 5; ++i) {
+        const Vertex_record old = s.mesh.vertex(v);
+        core::gather_star(s, v, relax.star());
+        if(i % 2)
+          for(core::Star_face& f : relax.star()) f.face = -1; // as in a cavity
+        Vertex_record r = old;
+        r.p = old.p + Vec(random(-.2, .2), random(-.2, .2), 0);
+        r.h = s.size.at(r.p);
+        double before = 0, after = 0;
+        for(const core::Star_face& f : relax.star()) {
+          const core::Corners p = { old.p, f.q1, f.q2, f.q3 }, q = { r.p, f.q1, f.q2, f.q3 };
+          before = (std::max)(before, core::mean_edge_length(p) / s.size.at_face(p));
+          after = (std::max)(after, core::mean_edge_length(q) / s.size.at_face(q));
+        }
+        const bool keeps = after <= (std::max)(before, 1.);
+        EXPECT_EQ(core::Node_relaxation_access::keeps_within_size(relax, r, old.p), keeps);
+        ++answers[keeps];
+        allowed_above += keeps && after > 1;
+      }
+  }
+  EXPECT_GT(answers[0], 50);
+  EXPECT_GT(answers[1], 50);
+  EXPECT_GT(allowed_above, 20);
 }
 
 TEST(Smoothing, KeepsTheState)

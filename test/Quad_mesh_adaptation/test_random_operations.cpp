@@ -154,3 +154,30 @@ TEST(Random_operations, InvariantsHoldAfterEachStep)
         "half-ring collapse", "border split", "chord collapse", "collapse of", "refinement of" })
     EXPECT_GT(done[name], 0) << name << " was never applied";
 }
+
+// The wanted size of a face is kept until a corner moves, and handed on when a cavity is committed.
+TEST(Random_operations, KnownSizesOfFacesAreThoseOfNow)
+{
+  const unsigned seed = zoo_mesh::seed();
+  std::size_t known = 0;
+  for(Named_state& n : state_fixture::all_states()) {
+    Adaptation_state& s = n.state;
+    const double h = s.size.at(s.mesh.point(0));
+    s.size = core::Size_sampler(
+        [h](const core::Vec& p) {
+          return h * (1.2 + 0.3 * std::sin(p.x() / h) + 0.2 * std::cos((p.y() - p.z()) / h));
+        },
+        0);
+    for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+      if(s.mesh.is_vertex(v)) s.mesh.vertex(v).h = s.size.at(s.mesh.point(v));
+    s.forget_values();
+    Walk walk(s, seed);
+    for(int i = 0; i < 30; ++i) {
+      walk.step();
+      const std::string problem = state_checks::cache_problem(s);
+      ASSERT_EQ(problem, "") << n.name << ", step " << i << ", QUAD_MESH_SEED=" << seed;
+      for(Index f = 0; f < s.mesh.face_end(); ++f) known += s.sizes.is_known(f);
+    }
+  }
+  EXPECT_GT(known, 1000u);
+}

@@ -75,25 +75,25 @@ Shape plate(int n)
 TEST(Work, Refinement)
 {
   expect_work(counted_work::measured(shape_zoo::sphere(6), Graded{ 0.01 }, refine),
-              counted_work::measured(shape_zoo::sphere(6), Graded{ 0.005 }, refine), 150);
+              counted_work::measured(shape_zoo::sphere(6), Graded{ 0.005 }, refine), 90);
 }
 
 TEST(Work, Coarsening)
 {
   expect_work(counted_work::measured(plate(20), Uniform{ 0.5 }, coarsen),
-              counted_work::measured(plate(40), Uniform{ 0.25 }, coarsen), 400);
+              counted_work::measured(plate(40), Uniform{ 0.25 }, coarsen), 330);
 }
 
 TEST(Work, Adaptation_of_a_plate)
 {
   expect_work(counted_work::measured(plate(10), Graded{ 0.005 }, adapt),
-              counted_work::measured(plate(10), Graded{ 0.0025 }, adapt), 2300);
+              counted_work::measured(plate(10), Graded{ 0.0025 }, adapt), 560);
 }
 
 TEST(Work, Adaptation_of_a_closed_surface)
 {
   expect_work(counted_work::measured(shape_zoo::sphere(6), Graded{ 0.02 }, adapt),
-              counted_work::measured(shape_zoo::sphere(6), Graded{ 0.01 }, adapt), 2300);
+              counted_work::measured(shape_zoo::sphere(6), Graded{ 0.01 }, adapt), 1300);
 }
 
 // The caller's projector may be a CAD kernel, and is then what takes the time.

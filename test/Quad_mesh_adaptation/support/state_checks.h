@@ -292,8 +292,13 @@ inline std::string curve_problem(const Adaptation_state& s)
 inline std::string cache_problem(const Adaptation_state& s)
 {
   for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f) || !s.energies.is_known(f)) continue;
-    const double e = s.face_energy(f);
+    if(!s.mesh.is_face(f)) continue;
+    const core::Corners p = s.corners(f);
+    // a cavity may have begun with another corner
+    if(s.sizes.is_known(f) && std::abs(s.sizes[f] / s.size.at_face(p) - 1) > 1e-12)
+      return name("stale size of face", f);
+    if(!s.energies.is_known(f)) continue;
+    const double e = s.face_energy(p, s.reference_normal(f), s.face_floor(f));
     if(std::abs(e - s.energies[f]) > 1e-5 * (1 + std::abs(e)))
       return name("stale energy of face", f);
   }

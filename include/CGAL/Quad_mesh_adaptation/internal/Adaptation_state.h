@@ -87,7 +87,8 @@ struct Adaptation_state : Run_record, Face_caches
 
   double face_energy(Index f) const
   {
-    return face_energy(corners(f), reference_normal(f), face_floor(f));
+    return face_energy_for(corners(f), reference_normal(f),
+                           (std::max)(wanted_size(f), face_floor(f)));
   }
 
   // Where only a part of the mesh is to be worked on: its nodes; new ones belong to it.
@@ -153,7 +154,7 @@ struct Adaptation_state : Run_record, Face_caches
   {
     double sum = 0;
     for(Index v : mesh.quad(f)) sum += mesh.vertex(v).h;
-    return float(size.at_face(corners(f)) / sum);
+    return float(wanted_size(f) / sum);
   }
 
   void forget_faces()
@@ -175,7 +176,7 @@ struct Adaptation_state : Run_record, Face_caches
     surface = Reference_surface();
     coverage = Coverage();
     forget_work();
-    ratios = Face_values<double>();
+    sizes = Face_values<double>();
   }
   // Face `order[i]` has number i now.
   void renumber_faces(const std::vector<Index>& order)
@@ -194,13 +195,15 @@ struct Adaptation_state : Run_record, Face_caches
   }
 
   // Size ratio of eq. 3, in the sampling in use, against the size without floors.
-  double size_ratio(Index f) const
+  double size_ratio(Index f) const { return mean_edge_length(corners(f)) / wanted_size(f); }
+
+  // The same size as in the ratio.  All who judge face f share it: to find it takes five values of
+  // the caller's function, which may be slow.
+  double wanted_size(Index f) const
   {
-    if(!ratios.is_known(f)) {
-      const Corners p = corners(f);
-      ratios.set(f, mean_edge_length(p) / size.at_face(p), mesh.face_end());
-    }
-    return ratios[f];
+    if(size.is_constant()) return size.at_face(Corners());
+    if(!sizes.is_known(f)) sizes.set(f, size.at_face(corners(f)), mesh.face_end());
+    return sizes[f];
   }
   // The same where corners, mean edge length and the size at the centre, not scaled, are at hand.
   double size_ratio(Index f, const Corners& p, double mean_length, double at_centre) const

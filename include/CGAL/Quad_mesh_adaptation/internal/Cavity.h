@@ -178,6 +178,7 @@ private:
   double valences_after() const;
   int side_difference_after(int n) const;
   void set_factors();
+  void find_sizes();
   void gather(int n);
   bool is_inner(int n) const { return total_corners_[n] == new_corners_[n] && new_corners_[n] > 0; }
   int origin(int h) const { return quads[h >> 2].v[h & 3]; }
@@ -215,6 +216,7 @@ private:
   std::vector<int> fan_count_, old_fan_count_, reached_, degree_;
   std::vector<int> corner_end_, corner_list_; // new half-edges by origin
   std::vector<double> factors_;               // wanted size over sum of nodal sizes, by quad
+  std::vector<double> sizes_;                 // wanted, by quad; empty: nodes have moved since
   std::vector<int> near_;                     // quads about an old face
   std::vector<Corners> near_corners_;
   double energy_before_ = 0;

@@ -69,6 +69,7 @@ private:
     int crowding;
     std::size_t too_large;
     std::vector<char> stirred, restless;
+    Face_values<double> sizes; // of all faces
   };
 
   void begin()
@@ -76,7 +77,8 @@ private:
     if(!start_)
       start_ = Start{ demerits_here(), (std::min)(worst_quality(s_), Poor_face::floor),
                       crowding(),      faces_too_large(s_).size(),
-                      s_.stirred,      s_.restless };
+                      s_.stirred,      s_.restless,
+                      s_.sizes };
     if(!mesh_) mesh_.emplace(s_);
   }
 
@@ -101,6 +103,7 @@ private:
     mesh_.reset();
     s_.stirred = start_->stirred;
     s_.restless = start_->restless;
+    s_.sizes = start_->sizes;
   }
 
   void improve_about(const std::vector<char>& nodes)

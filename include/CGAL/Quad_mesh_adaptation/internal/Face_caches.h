@@ -17,7 +17,7 @@ namespace internal {
 struct Face_caches
 {
   Face_values<float> energies;          // see cached_energy()
-  mutable Face_values<double> ratios;   // see size_ratio()
+  mutable Face_values<double> sizes;    // see wanted_size()
   Face_values<float> factors;           // see size_factor()
   std::vector<std::uint8_t> factor_age; // moves of its corners since then
   mutable Face_values<float> qualities; // see known_quality(); none unless shapes are mended
@@ -26,7 +26,7 @@ struct Face_caches
   void face_moved(Index f)
   {
     energies.forget(f);
-    ratios.forget(f);
+    sizes.forget(f);
     qualities.forget(f);
     if(f < Index(factor_age.size()) && factor_age[f] < 255) ++factor_age[f];
   }
@@ -34,7 +34,7 @@ struct Face_caches
   void face_replaced(Index f)
   {
     energies.forget(f);
-    ratios.forget(f);
+    sizes.forget(f);
     qualities.forget(f);
     factors.forget(f);
   }
@@ -42,7 +42,7 @@ struct Face_caches
   void forget_sizes()
   {
     energies.forget_all();
-    ratios.forget_all();
+    sizes.forget_all();
   }
   void forget_values()
   {
@@ -55,7 +55,7 @@ struct Face_caches
   void fit_values(Index face_end)
   {
     energies.fit(face_end);
-    ratios.fit(face_end);
+    sizes.fit(face_end);
     factors.fit(face_end);
     factor_age.resize(face_end, 0);
   }

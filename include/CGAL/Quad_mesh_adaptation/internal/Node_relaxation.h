@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -167,15 +168,49 @@ private:
     m->H[2] += c2 * s[1] * s[1];
   }
 
-  // Largest size ratio of the star with the node at x, by the exact sizes.
-  double largest_ratio(const Vec& x) const
+  // Is no face too large, by the exact sizes, with the node at r, or none more so than one is now?
+  // Most moves that fail do so by one face, so the one that is largest by the estimate goes first.
+  bool keeps_within_size(const Vertex_record& r, const Vec& now) const
   {
-    double largest = 0;
-    for(const Star_face& f : star_) {
-      const Corners p = { x, f.q1, f.q2, f.q3 };
-      largest = (std::max)(largest, mean_edge_length(p) / s_.target(p, f.floor));
+    const std::size_t first = largest_face(r);
+    for(std::size_t i = 0; i < star_.size(); ++i) {
+      const Star_face& f = star_[i == 0 ? first : i <= first ? i - 1 : i];
+      const double ratio = ratio_with(f, r.p);
+      if(ratio > 1 && ratio > largest_now(now)) return false;
+    }
+    return true;
+  }
+
+  std::size_t largest_face(const Vertex_record& r) const
+  {
+    std::size_t largest = 0;
+    double most = 0;
+    for(std::size_t i = 0; i < star_.size(); ++i) {
+      const Star_face& f = star_[i];
+      const double ratio = (distance(r.p, f.q1) + distance(r.p, f.q3) + f.l) / f.target(r.h);
+      if(ratio > most) most = ratio, largest = i;
     }
     return largest;
+  }
+
+  double ratio_with(const Star_face& f, const Vec& x) const
+  {
+    const Corners p = { x, f.q1, f.q2, f.q3 };
+    return mean_edge_length(p) / s_.target(p, f.floor);
+  }
+
+  // Largest size ratio of the star before the node moves.
+  double largest_now(const Vec& now) const
+  {
+    if(largest_now_ >= 0) return largest_now_;
+    largest_now_ = 0;
+    for(const Star_face& f : star_) {
+      const double ratio = f.face < 0 ? ratio_with(f, now)
+                                      : mean_edge_length({ now, f.q1, f.q2, f.q3 }) /
+                                            (std::max)(s_.wanted_size(f.face), f.floor);
+      largest_now_ = (std::max)(largest_now_, ratio);
+    }
+    return largest_now_;
   }
 
   // Derivatives of the shape cost of one face, normals frozen.  Both edges depend on the node at
@@ -228,6 +263,7 @@ private:
     wake_ = w.hinge > 0 && before.largest > 1 ? (std::min)(w.wake, w.pressed_wake) : w.wake;
     if(!(length > 0.25 * wake_ * reach)) return false; // not worth a trial
     double scale = (std::min)(1., 0.5 * reach / length);
+    largest_now_ = -1;
     for(int attempt = 0; attempt < 4; ++attempt, scale *= 0.35) {
       Vertex_record t = r;
       if(r.carrier == Carrier::curve)
@@ -239,8 +275,7 @@ private:
       if(after.value < before.value - 1e-7 * std::abs(before.value) &&
          after.inverted <= before.inverted &&
          after.worst >= (std::min)(before.worst, s_.smoothing.min_corner) &&
-         (!s_.smoothing.keep_within_size ||
-          largest_ratio(t.p) <= (std::max)(largest_ratio(r.p), 1.))) {
+         (!s_.smoothing.keep_within_size || keeps_within_size(t, r.p))) {
         r = t;
         worst_ = after.worst;
         return true;
@@ -253,6 +288,7 @@ private:
   std::vector<Star_face> star_;
   std::vector<Pull> pulls_;
   double worst_ = 1, wake_ = 0;
+  mutable double largest_now_ = -1; // negative: not known
   mutable Vec t_[2];
 };
 

@@ -19,6 +19,7 @@ namespace internal {
 // A face as seen from one of its corners, the node that moves, with what does not move with it.
 struct Star_face
 {
+  Index face = -1;      // its number; -1: it is not in the mesh as it is here
   Vec q1, q2, q3;       // the other corners, counter-clockwise
   Facing reference;     // where the face should look, without the share of the node
   Vec grad_h;           // of the size, along the face; for the derivative only

@@ -136,13 +136,13 @@ private:
 
   void take_values()
   {
-    ratios_ = std::move(s_.ratios);
-    s_.ratios = Face_values<double>();
+    sizes_ = std::move(s_.sizes);
+    s_.sizes = Face_values<double>();
     s_.forget_values();
     for(std::size_t i = 0; i < face_.size(); ++i) {
-      if(!ratios_.is_known(face_[i])) continue;
-      s_.ratios.set(Index(i), ratios_[face_[i]], s_.mesh.face_end());
-      ratios_.forget(face_[i]);
+      if(!sizes_.is_known(face_[i])) continue;
+      s_.sizes.set(Index(i), sizes_[face_[i]], s_.mesh.face_end());
+      sizes_.forget(face_[i]);
     }
     s_.coverage.leave_to(face_);
     s_.disturb_all();
@@ -151,13 +151,13 @@ private:
 
   void give_values()
   {
-    const Face_values<double> of_part = std::move(s_.ratios);
-    s_.ratios = Face_values<double>();
+    const Face_values<double> of_part = std::move(s_.sizes);
+    s_.sizes = Face_values<double>();
     s_.forget_values();
-    s_.ratios = std::move(ratios_);
+    s_.sizes = std::move(sizes_);
     for(Index f = 0; f < Index(face_.size()); ++f)
       if(face_[f] >= 0 && of_part.is_known(f))
-        s_.ratios.set(face_[f], of_part[f], s_.mesh.face_end());
+        s_.sizes.set(face_[f], of_part[f], s_.mesh.face_end());
     s_.coverage.take_back(face_, s_.mesh.face_end());
   }
 
@@ -230,7 +230,7 @@ private:
   std::vector<Index> face_, node_;    // of the part: their numbers in the whole
   std::vector<Index> work_, corners_; // corners_: two of each curve, in the whole
   std::vector<Index> outside_; // by node of the part: the half-edge of the rest that leads to it
-  Face_values<double> ratios_; // of the whole
+  Face_values<double> sizes_;  // of the whole
   std::function<void(const char*, std::size_t)> end_phase_;
 };
 

@@ -248,6 +248,7 @@ inline bool Cavity::remove_doublets()
 
 inline bool Cavity::close()
 {
+  sizes_.clear();
   if(!remove_doublets() || !match_inside()) return false;
   for(std::size_t n = 0; n < nodes.size(); ++n) {
     const bool border = ids[n] >= 0 && s_.mesh.is_border_vertex(ids[n]);

@@ -116,7 +116,10 @@ inline void Cavity::commit(std::vector<Index>* touched)
   write_links(face_of);
   write_nodes(face_of, touched);
   for(const Covered& c : covered) s_.coverage.give(c.witness, face_of[c.quad], c.cost);
-  for(Index f : face_of) s_.renewed_size_factor(f);
+  for(std::size_t k = 0; k < face_of.size(); ++k) {
+    if(!sizes_.empty()) s_.sizes.set(face_of[k], sizes_[k], s_.mesh.face_end());
+    s_.renewed_size_factor(face_of[k]);
+  }
   clear();
 }
 

@@ -57,11 +57,20 @@ inline void Cavity::set_factors()
     factors_[k] = quads[k].parent >= 0 ? s_.size_factor(quads[k].parent) : 0.25;
 }
 
+inline void Cavity::find_sizes()
+{
+  sizes_.resize(quads.size());
+  for(std::size_t k = 0; k < quads.size(); ++k) sizes_[k] = s_.size.at_face(corners_of(quads[k]));
+}
+
 inline double Cavity::energy_after()
 {
   double e = valences_after();
-  for(const Cavity_quad& q : quads)
-    e += s_.face_energy(corners_of(q), reference_of(q), floor_of(q));
+  find_sizes();
+  for(std::size_t k = 0; k < quads.size(); ++k) {
+    const Cavity_quad& q = quads[k];
+    e += s_.face_energy_for(corners_of(q), reference_of(q), (std::max)(sizes_[k], floor_of(q)));
+  }
   for_each_witness([&](Index, int, double cost) { e += cost; });
   return e;
 }
@@ -248,15 +257,17 @@ inline double Cavity::largest_before() const
 inline double Cavity::largest_after() const
 {
   double largest = 0;
-  for(const Cavity_quad& q : quads) {
-    const Corners p = corners_of(q);
-    largest = (std::max)(largest, mean_edge_length(p) / s_.size.at_face(p));
+  for(std::size_t k = 0; k < quads.size(); ++k) {
+    const Corners p = corners_of(quads[k]);
+    largest = (std::max)(largest,
+                         mean_edge_length(p) / (sizes_.empty() ? s_.size.at_face(p) : sizes_[k]));
   }
   return largest;
 }
 
 inline void Cavity::relax(int sweeps)
 {
+  sizes_.clear();
   for(int sweep = 0; sweep < sweeps; ++sweep) {
     bool moved = false;
     for(std::size_t n = 0; n < nodes.size(); ++n) {

@@ -68,6 +68,7 @@ inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& st
     const Index a = m.target(h), b = m.target(m.next(h)), c = m.origin(m.prev(h));
     const Vertex_record &x = m.vertex(v), &ra = m.vertex(a), &rb = m.vertex(b), &rc = m.vertex(c);
     Star_face f;
+    f.face = m.face(h);
     f.set_corners(ra.p, rb.p, rc.p);
     f.factor = s.renewed_size_factor(m.face(h));
     f.sizes = ra.h + rb.h + rc.h;
