@@ -196,6 +196,13 @@ struct Adaptation_state : Run_record, Face_caches
 
   // Size ratio of eq. 3, in the sampling in use, against the size without floors.
   double size_ratio(Index f) const { return mean_edge_length(corners(f)) / wanted_size(f); }
+  // The same where corners, mean edge length and the size at the centre, not scaled, are at hand.
+  double size_ratio(Index f, const Corners& p, double mean_length, double at_centre) const
+  {
+    if(size.is_constant()) return mean_length / size.at_face(p);
+    if(!sizes.is_known(f)) sizes.set(f, size.at_face(p, size.scale() * at_centre), mesh.face_end());
+    return mean_length / sizes[f];
+  }
 
   // The same size as in the ratio.  All who judge face f share it: to find it takes five values of
   // the caller's function, which may be slow.
@@ -204,13 +211,6 @@ struct Adaptation_state : Run_record, Face_caches
     if(size.is_constant()) return size.at_face(Corners());
     if(!sizes.is_known(f)) sizes.set(f, size.at_face(corners(f)), mesh.face_end());
     return sizes[f];
-  }
-  // The same where corners, mean edge length and the size at the centre, not scaled, are at hand.
-  double size_ratio(Index f, const Corners& p, double mean_length, double at_centre) const
-  {
-    if(!ratios.is_known(f))
-      ratios.set(f, mean_length / size.at_face(p, size.scale() * at_centre), mesh.face_end());
-    return ratios[f];
   }
 
   // Before anything that moves nodes or replaces faces; next to nothing if nothing has changed.
