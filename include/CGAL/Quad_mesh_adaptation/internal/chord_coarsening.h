@@ -108,17 +108,19 @@ private:
   {
     if(width < 0.5) return relaxed_change(0, 2) < -s_.energy.min_gain && is_well_shaped();
     for(const int rings : { 2, 2, 4 }) {
-      const double change = relaxed_change(rings, 4 * rings);
+      const double change = relaxed_change(rings, 4 * rings, 20 * c.faces.size() + 200);
       if(change < -s_.energy.min_gain) return is_well_shaped();
       if(change > 1.2 * double(c.faces.size())) return false;
     }
     return false;
   }
 
-  double relaxed_change(int rings, int sweeps)
+  // No more than `most` faces take part: about a node of huge valence it would be all, each time.
+  double relaxed_change(int rings, int sweeps, std::size_t most = std::size_t(-1))
   {
-    for(int ring = 0; ring < rings; ++ring) cavity_.add_halo();
-    if(!cavity_.close()) return 1e300;
+    constexpr double refused = 1e300;
+    for(int ring = 0; ring < rings && cavity_.quads.size() <= most; ++ring) cavity_.add_halo();
+    if(cavity_.quads.size() > most || !cavity_.close()) return refused;
     cavity_.relax(sweeps);
     return cavity_.energy_after() - cavity_.energy_before();
   }

@@ -107,6 +107,9 @@ public:
   }
 
 private:
+  // With so many faces, each look at all of them counts.
+  bool is_huge(Index v) const { return s_.mesh.vertex(v).faces > 24; }
+
   // Would v be left with too few faces if it lost one?
   bool loses_last(Index v) const
   {
@@ -140,22 +143,37 @@ private:
 
   void collect_opens(Index v)
   {
+    const int n = int(out_.size());
+    if(is_huge(v)) return collect_halvings(v);
+    for(int i = 0; i < n; ++i)
+      for(int sector = 2; sector < n; ++sector) // faces that the new node takes
+        if(!collect_open(v, i, sector)) break;
+  }
+
+  // A node with very many faces is best opened in two halves; a few of these are enough.
+  void collect_halvings(Index v)
+  {
+    constexpr int few = 6;
+    const int n = int(out_.size());
+    const bool border = s_.mesh.is_border_vertex(v);
+    for(int k = 0; k < few; ++k) collect_open(v, border ? n / 4 + k : k * n / (2 * few), n / 2);
+  }
+
+  // False if there is no such sector from the i-th half-edge on, nor a larger one.
+  bool collect_open(Index v, int i, int sector)
+  {
     const Quad_complex& m = s_.mesh;
     const int n = int(out_.size());
-    if(n < 3) return;
-    const bool border = m.is_border_vertex(v);
-    const double base = s_.energy.face - bounds_.slack(v);
-    for(int i = 0; i < n; ++i)
-      for(int sector = 2; sector < n; ++sector) {            // faces that the new node takes
-        if(border ? i + sector >= n : sector > n - 2) break; // v keeps three faces, too
-        const Index ha = out_[i], hb = out_[(i + sector) % n];
-        const int fresh = sector + 1 - 4;
-        const double bound =
-            base + s_.energy.valence * fresh * fresh + bounds_.valence_change(v, 1 - sector) +
-            bounds_.valence_change(m.target(ha), 1) + bounds_.valence_change(m.target(hb), 1);
-        if(bound < options_.tolerance - s_.energy.min_gain && is_face_open_allowed(s_, ha, hb))
-          add(Operation_kind::open, ha, hb, bound);
-      }
+    if(m.is_border_vertex(v) ? i + sector >= n : sector > n - 2) return false; // v keeps three, too
+    const Index ha = out_[i], hb = out_[(i + sector) % n];
+    const int fresh = sector + 1 - 4;
+    const double bound = s_.energy.face - bounds_.slack(v) + s_.energy.valence * fresh * fresh +
+                         bounds_.valence_change(v, 1 - sector) +
+                         bounds_.valence_change(m.target(ha), 1) +
+                         bounds_.valence_change(m.target(hb), 1);
+    if(bound < options_.tolerance - s_.energy.min_gain && is_face_open_allowed(s_, ha, hb))
+      add(Operation_kind::open, ha, hb, bound);
+    return true;
   }
 
   void collect_swaps(Index v)
@@ -163,6 +181,7 @@ private:
     const Quad_complex& m = s_.mesh;
     for(Index h : out_) {
       if(!is_edge_swap_allowed(s_, h) || loses_last(v) || loses_last(m.target(h))) continue;
+      if(is_huge(v) || is_huge(m.target(h))) continue; // it is halved
       const Index o = m.opposite(h), u = m.target(h);
       const bool relief = bounds_.is_crowded(v) || bounds_.is_crowded(u);
       const double lost = bounds_.valence_change(v, -1) + bounds_.valence_change(u, -1);
