@@ -63,14 +63,15 @@ public:
   // much better.  By turns from a mesh that is too coarse and from one that is too fine, each time
   // with walks in another order; of 25 ways that were tried out on 900 meshes, no others differ as
   // much.  For a mesh of more faces the first of them only, with detours of its own for the mesh to
-  // start from: where that was not worth halving the first time, it mostly is then.
-  void operator()()
+  // start from: where that was not worth halving the first time, it mostly is then.  Where it was,
+  // little is to be gained.
+  void operator()(bool was_halved)
   {
     constexpr Index enough_faces = 800, many = 40000;
     constexpr int least = 2, most = 6;
     const Index faces = s_.mesh.number_of_faces();
-    if(faces > many) return;
     const bool has_few = faces <= few;
+    if(faces > many || (was_halved && !has_few)) return;
     const int ways = has_few ? std::clamp(int(enough_faces / faces), least, most) : 1;
     for(int way = 0; way < ways && is_worth_another(s_); ++way) {
       least_ = clearly * demerits(s_);
@@ -99,7 +100,7 @@ private:
     std::optional<Detours> detours;
     if(with_detours) detours.emplace(s_, run_);
     run_();
-    if(detours && s_.mesh.number_of_faces() <= few) (*detours)();
+    if(detours && s_.mesh.number_of_faces() <= few) (*detours)(false);
     s_.scale_sizes(0.5);
   }
 

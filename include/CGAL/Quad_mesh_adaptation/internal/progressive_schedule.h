@@ -189,9 +189,10 @@ inline void descend_one_octave(Adaptation_state& s, const Improvement_options& c
   if(use.local_operations) polish(s, clean, 1, 0);
 }
 
-inline void run_progressively(Adaptation_state& s, const Improvement_options& clean,
-                              std::size_t max_iterations, const Schedule_ingredients& use,
-                              Refused_octave* refused = nullptr)
+// Returns how often the sizes that were met first have been halved.
+inline int run_progressively(Adaptation_state& s, const Improvement_options& clean,
+                             std::size_t max_iterations, const Schedule_ingredients& use,
+                             Refused_octave* refused = nullptr)
 {
   const std::size_t last = s.iterations + max_iterations;
   release_bends(s);
@@ -210,6 +211,7 @@ inline void run_progressively(Adaptation_state& s, const Improvement_options& cl
     if(Curve_bends(s).fit() > 0) enforce_sizes_and_shapes(s, clean);
   }
   release_bends(s);
+  return octaves;
 }
 
 // From so many faces on an input has no detours.
@@ -221,11 +223,11 @@ constexpr Index without_detours = 40000;
 inline void run_with_detours(Adaptation_state& s, const Improvement_options& clean,
                              std::size_t max_iterations, const Schedule_ingredients& use)
 {
-  const auto run = [&] { run_progressively(s, clean, max_iterations, use); };
+  const auto run = [&] { return run_progressively(s, clean, max_iterations, use); };
   std::optional<Detours> detours;
   if(s.mesh.number_of_faces() <= without_detours && s.region.empty()) detours.emplace(s, run);
-  run();
-  if(detours && use.coarsening) (*detours)();
+  const int octaves = run();
+  if(detours && use.coarsening) (*detours)(octaves > 0);
 }
 
 // Another way from a mesh that is given; the better outcome of both is kept.
