@@ -55,7 +55,7 @@ class Detours
 public:
   // Before the first run; `run` goes from any mesh to one for the sizes.
   Detours(Adaptation_state& s, std::function<void()> run)
-      : s_(s), run_(std::move(run)), given_(s), asked_faces_(Demand(s).faces)
+      : s_(s), run_(std::move(run)), given_(s), asked_(s)
   {
   }
 
@@ -64,14 +64,14 @@ public:
   // with walks in another order; of 25 ways that were tried out on 900 meshes, no others differ as
   // much.  For a mesh of more faces the first of them only, with detours of its own for the mesh to
   // start from: where that was not worth halving the first time, it mostly is then.  Where it was,
-  // little is to be gained.
+  // or sizes grow too steeply for it, little is to be gained.
   void operator()(bool was_halved)
   {
     constexpr Index enough_faces = 800, many = 40000;
     constexpr int least = 2, most = 6;
     const Index faces = s_.mesh.number_of_faces();
     const bool has_few = faces <= few;
-    if(faces > many || (was_halved && !has_few)) return;
+    if(faces > many || (!has_few && (was_halved || !asked_.is_gentle_doubled()))) return;
     const int ways = has_few ? std::clamp(int(enough_faces / faces), least, most) : 1;
     for(int way = 0; way < ways && is_worth_another(s_); ++way) {
       least_ = clearly * demerits(s_);
@@ -118,7 +118,7 @@ private:
   bool misses_sizes() const
   {
     constexpr double least = 0.7; // surfaces lose some area where faces are large
-    return double(s_.mesh.number_of_faces()) < least * asked_faces_;
+    return double(s_.mesh.number_of_faces()) < least * asked_.faces;
   }
 
   static constexpr double clearly = 0.98;
@@ -126,7 +126,7 @@ private:
   Adaptation_state& s_;
   std::function<void()> run_;
   const Mesh_keeper given_;
-  const double asked_faces_;
+  const Demand asked_;
   std::optional<Mesh_keeper> best_;
   double least_ = 0;
   std::vector<char> kept_; // curves, by the best
