@@ -227,6 +227,14 @@ struct Adaptation_state : Run_record, Face_caches
     stir_all();
   }
 
+  // Once the sizes come from something else.
+  void renew_sizes()
+  {
+    for(Index v = 0; v < mesh.vertex_end(); ++v)
+      if(mesh.is_vertex(v)) mesh.vertex(v).h = size.at(mesh.point(v));
+    forget_sizes();
+  }
+
   // From now on.
   void limit_distance(double allowed)
   {

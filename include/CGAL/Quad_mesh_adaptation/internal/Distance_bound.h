@@ -46,7 +46,7 @@ public:
     if(!is_asked_for()) return;
     limit_ = std::make_unique<Distance_limit>(s_, allowed_);
     s_.limit_distance(allowed_);
-    renew_sizes();
+    s_.renew_sizes();
   }
 
   // Sizes are those given again.
@@ -54,7 +54,7 @@ public:
   {
     if(!is_asked_for()) return;
     limit_.reset();
-    renew_sizes();
+    s_.renew_sizes();
   }
 
   std::vector<Index> faces_too_far() const
@@ -70,13 +70,6 @@ public:
   bool is_asked_for() const { return std::isfinite(allowed_); }
 
 private:
-  void renew_sizes()
-  {
-    for(Index v = 0; v < s_.mesh.vertex_end(); ++v)
-      if(s_.mesh.is_vertex(v)) s_.mesh.vertex(v).h = s_.size.at(s_.mesh.point(v));
-    s_.forget_sizes();
-  }
-
   Adaptation_state& s_;
   double allowed_;
   std::unique_ptr<Distance_limit> limit_;

@@ -35,8 +35,9 @@ public:
     tree_.emplace(Index(edges_.size()), Corners_of{ edges_ });
     s.size = Size_sampler(
         [this](const Vec& p) { return (std::max)(given_.unscaled(p), least_at(p)); }, 0);
+    s.size.sampling = given_.sampling;
     s.size.scale_by(given_.scale());
-    renew_sizes();
+    s.renew_sizes();
   }
   Frozen_edges(const Frozen_edges&) = delete; // the sizes refer to it
   Frozen_edges& operator=(const Frozen_edges&) = delete;
@@ -49,7 +50,7 @@ public:
     const double scale = s_.size.scale();
     s_.size = given_;
     s_.size.scale_by(scale);
-    renew_sizes();
+    s_.renew_sizes();
   }
 
   // What the caller should know of it, nothing if there are none.
@@ -126,14 +127,6 @@ private:
         p, Corners_of{ edges_ }, [](Index) { return true; }, reach_);
     if(near.triangle < 0) return 0;
     return share * edges_[near.triangle].length - slope * distance(p, near.point);
-  }
-
-  void renew_sizes()
-  {
-    s_.size.sampling = given_.sampling;
-    for(Index v = 0; v < s_.mesh.vertex_end(); ++v)
-      if(s_.mesh.is_vertex(v)) s_.mesh.vertex(v).h = s_.size.at(s_.mesh.point(v));
-    s_.forget_sizes();
   }
 
   Adaptation_state& s_;
