@@ -139,8 +139,9 @@ TEST(QuadComplex, IsTheSameAfterItWasPacked)
   m.remove_face(0); // and its corner
   ASSERT_TRUE(m.link());
   ASSERT_FALSE(m.is_vertex(0));
-  core::Quad_complex copy = m.packed();
-  copy.unpack(m.vertex_end());
+  core::Quad_complex packed = m.packed(), copy;
+  copy.add_vertex(core::Vertex_record());
+  copy.become(std::move(packed), m.vertex_end());
   ASSERT_EQ(copy.vertex_end(), m.vertex_end());
   ASSERT_EQ(copy.face_end(), m.face_end());
   EXPECT_EQ(copy.number_of_faces(), m.number_of_faces());

@@ -171,7 +171,7 @@ private:
     if(2 * own == s_.surface.triangles().size()) return;
     Mesh_triangles triangles(s_.mesh, &near);
     face_of_ = triangles.face_of();
-    mesh_ = triangles.surface(false);
+    mesh_ = triangles.surface(false, Normals::found_anew);
     find_starts();
     find_places();
     measure_triangles();

@@ -21,6 +21,13 @@ namespace internal {
 
 using Edge_keys = std::vector<std::pair<Index, Index>>; // edges by their ends, lower one first
 
+enum class Normals // of triangles
+{
+  none, // a plane can do without
+  kept,
+  found_anew // at each question, for the sake of memory
+};
+
 // Triangles and their neighbours.  Nobody walks across a sharp edge: the triangles between such
 // edges are a patch.  Nor does one step lead to a triangle that faces the other way.
 class Linked_triangles
@@ -59,17 +66,21 @@ public:
   // Across edge (i, i + 1) of triangle t; -1 at the border and at a sharp edge.
   Index neighbour(Index t, int i) const { return neighbours_[t][i]; }
   Index patch(Index t) const { return patches_[t]; }
-  const Vec& normal(Index t) const { return normals_[t]; } // once they are found
-
-  // Before normals are asked for, and walks where triangles may face another way: a plane can do
-  // without.
-  void find_normals()
+  // Once they are provided.
+  Vec normal(Index t) const
   {
+    return kind_of_normals_ == Normals::kept ? normals_[t] : computed_normal(t);
+  }
+
+  // Before normals are asked for, and walks where triangles may face another way.
+  void provide_normals(Normals kind)
+  {
+    kind_of_normals_ = kind;
+    normals_.clear();
+    if(kind != Normals::kept) return;
     normals_.reserve(triangles_.size());
-    for(std::size_t t = 0; t < triangles_.size(); ++t) {
-      const auto c = triangle(Index(t));
-      normals_.push_back(normalized(cross(c[1] - c[0], c[2] - c[0])));
-    }
+    for(std::size_t t = 0; t < triangles_.size(); ++t)
+      normals_.push_back(computed_normal(Index(t)));
   }
 
   // To the nearest point from triangle t, or to the first whose squared distance is near enough.
@@ -90,6 +101,12 @@ public:
   }
 
 private:
+  Vec computed_normal(Index t) const
+  {
+    const auto c = triangle(t);
+    return normalized(cross(c[1] - c[0], c[2] - c[0]));
+  }
+
   // The neighbour of t, across the edge or round the corner that `here` lies on, that is nearer
   // to p; updates here and d.  -1 if there is none.
   Index better_neighbour(const Vec& p, Index t, Index start, Closest_on_triangle& here,
@@ -117,11 +134,11 @@ private:
   bool improves(const Vec& p, Index n, Index start, double enough, Closest_on_triangle& here,
                 double& d) const
   {
-    // round a thin edge to the other side; a right angle, as of a box, is still allowed
-    if(!normals_.empty() && normals_[n] * normals_[start] < -0.2) return false;
     const auto there = closest_on_triangle(p, triangle(n));
     const double dn = (p - there.point).squared_length();
     if(!(dn < enough)) return false;
+    // round a thin edge to the other side; a right angle, as of a box, is still allowed
+    if(kind_of_normals_ != Normals::none && normal(n) * normal(start) < -0.2) return false;
     here = there;
     d = dn;
     return true;
@@ -196,7 +213,8 @@ private:
 
   std::vector<Vec> points_;
   std::vector<std::array<Index, 3>> triangles_, neighbours_; // neighbour i: across edge i, i+1
-  std::vector<Vec> normals_;
+  Normals kind_of_normals_ = Normals::none;
+  std::vector<Vec> normals_; // if they are kept
   std::vector<Index> patches_;
 };
 

@@ -29,9 +29,7 @@ public:
   // All is as it was; once only.
   void restore()
   {
-    s_.mesh = Quad_complex(); // its memory can be used again
-    mesh_.unpack(vertex_end_);
-    s_.mesh = std::move(mesh_);
+    s_.mesh.become(std::move(mesh_), vertex_end_);
     s_.operations = std::move(operations_);
     s_.iterations = iterations_;
     s_.forget_faces();

@@ -45,11 +45,11 @@ public:
 
   // Parted by the curves into the patches of the mesh, if asked for.  Once only: the triangles are
   // in the surface then.
-  Reference_surface surface(bool is_parted)
+  Reference_surface surface(bool is_parted, Normals normals)
   {
     std::vector<std::array<Index, 3>> across = neighbours(is_parted);
     return Reference_surface(std::move(soup_.points), std::move(soup_.triangles), std::move(across),
-                             is_parted ? patches() : std::vector<Index>());
+                             is_parted ? patches() : std::vector<Index>(), normals);
   }
 
 private:

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_COMPLEX_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_QUAD_COMPLEX_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Halfedge_links.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_topology.h>
 #include <CGAL/Quad_mesh_adaptation/internal/permute.h>
 
@@ -36,6 +37,17 @@ public:
     opposite_.reserve(4 * faces);
     curve_.reserve(4 * faces);
     patch_.reserve(faces);
+  }
+
+  // For so many in all, with some to spare where there is not room already.
+  void make_room(std::size_t vertices, std::size_t faces)
+  {
+    const auto fit = [](auto& list, std::size_t n) {
+      if(list.capacity() < n) list.reserve(n + n / 16);
+    };
+    fit(vertices_, vertices);
+    for(auto* list : { &origin_, &opposite_, &curve_ }) fit(*list, 4 * faces);
+    fit(patch_, faces);
   }
 
   Index add_vertex(const Vertex_record& r)
@@ -125,7 +137,7 @@ public:
   // offending half-edge in `bad`, if two half-edges run the same way between the same vertices.
   bool link(Index* bad = nullptr)
   {
-    if(!link_all() && !link_in_order(bad)) return false;
+    if(!Halfedge_links(origin_, opposite_, curve_, vertex_end())(bad)) return false;
     refresh_vertices();
     return true;
   }
@@ -195,8 +207,8 @@ public:
   // Where only the links are needed any more.
   void forget_vertices() { vertices_ = std::vector<Vertex_record>(); }
 
-  // A copy to be kept, in which only the vertices that exist have records; unpack() it before use.
-  // Those of the caller that are gone may be as many as those that are there.
+  // A copy to be kept, in which only the vertices that exist have records, for another one to
+  // become().  Those of the caller that are gone may be as many as those that are there.
   Quad_complex packed() const
   {
     Quad_complex r;
@@ -216,91 +228,23 @@ public:
     return r;
   }
 
-  // With so many records as there were.
-  void unpack(Index vertex_end)
+  // Becomes what has been packed, with so many records as there were; the place of its own is used
+  // again.
+  void become(Quad_complex&& packed, Index vertex_end)
   {
-    std::vector<Vertex_record> all(vertex_end);
+    std::vector<Vertex_record> all = std::move(vertices_);
+    const std::vector<Vertex_record> kept = std::move(packed.vertices_);
+    *this = std::move(packed);
+    all.assign(std::size_t(vertex_end), Vertex_record());
     for(Index v : origin_)
       if(v >= 0) all[v].halfedge = 0; // it exists
-    auto next = vertices_.begin();
+    auto next = kept.begin();
     for(Vertex_record& r : all)
       if(r.halfedge >= 0) r = *next++;
     vertices_ = std::move(all);
   }
 
 private:
-  Index low_end(Index h) const { return (std::min)(origin(h), target(h)); }
-
-  // In one pass, each with the first one of its edge, which is listed at its lower end.  False
-  // where there are more than two, or two that run the same way, and where lists are long.
-  bool link_all()
-  {
-    constexpr int longest = 200;
-    std::vector<Index> first(vertices_.size(), -1), next(origin_.size());
-    for(Index h = 0; h < Index(origin_.size()); ++h) {
-      if(origin_[h] < 0) continue;
-      const Index u = origin(h), v = target(h), low = (std::min)(u, v);
-      Index g = first[low];
-      int looked_at = 0;
-      while(g >= 0 && origin(g) + target(g) != u + v) {
-        g = next[g];
-        if(++looked_at > longest) return false;
-      }
-      opposite_[h] = -1;
-      if(g < 0) {
-        next[h] = first[low];
-        first[low] = h;
-        continue;
-      }
-      if(opposite_[g] >= 0 || origin(g) == u) return false;
-      set_opposites(g, h);
-      curve_[g] = curve_[h] = (std::max)(curve_[g], curve_[h]);
-    }
-    return true;
-  }
-
-  // The same by the numbers of vertices, to tell which is the first that cannot be linked.
-  bool link_in_order(Index* bad)
-  {
-    std::vector<Index> start(vertices_.size() + 1, 0);
-    for(Index h = 0; h < Index(origin_.size()); ++h)
-      if(origin_[h] >= 0) ++start[low_end(h) + 1];
-    for(std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<Index> sorted(start.back()); // bucketed by the lower vertex, in half-edge order
-    for(Index h = 0; h < Index(origin_.size()); ++h)
-      if(origin_[h] >= 0) sorted[start[low_end(h)]++] = h;
-    std::vector<std::pair<Index, Index>> bucket; // upper end, half-edge
-    for(std::size_t i = 0; i < sorted.size();) {
-      const Index low = low_end(sorted[i]);
-      bucket.clear();
-      for(; i < sorted.size() && low_end(sorted[i]) == low; ++i)
-        bucket.emplace_back((std::max)(origin(sorted[i]), target(sorted[i])), sorted[i]);
-      if(!link_bucket(bucket, bad)) return false;
-    }
-    return true;
-  }
-
-  bool link_bucket(std::vector<std::pair<Index, Index>>& bucket, Index* bad)
-  {
-    std::sort(bucket.begin(), bucket.end());
-    for(std::size_t i = 0; i < bucket.size();) {
-      std::size_t j = i;
-      while(j < bucket.size() && bucket[j].first == bucket[i].first) ++j;
-      const Index g = bucket[i].second, h = j == i + 2 ? bucket[i + 1].second : Index(-1);
-      if(j > i + 2 || (h >= 0 && origin_[g] == origin_[h])) {
-        if(bad) *bad = g;
-        return false;
-      }
-      opposite_[g] = h;
-      if(h >= 0) {
-        opposite_[h] = g;
-        curve_[g] = curve_[h] = (std::max)(curve_[g], curve_[h]);
-      }
-      i = j;
-    }
-    return true;
-  }
-
   // Room for n more, by a quarter where it is used up: twice as much would be much for large
   // meshes.
   template <typename T>

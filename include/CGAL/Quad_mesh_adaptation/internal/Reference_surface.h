@@ -41,22 +41,23 @@ public:
       : mesh_(std::move(points), std::move(triangles), sharp)
   {
     detect_plane();
-    if(!planar_) mesh_.find_normals();
+    if(!planar_) mesh_.provide_normals(Normals::kept);
   }
 
   // Of triangles whose neighbours across sides (i, i + 1) are known, and maybe their patches.
   Reference_surface(std::vector<Vec> points, std::vector<std::array<Index, 3>> triangles,
-                    std::vector<std::array<Index, 3>> neighbours, std::vector<Index> patches)
+                    std::vector<std::array<Index, 3>> neighbours, std::vector<Index> patches,
+                    Normals normals)
       : mesh_(std::move(points), std::move(triangles), std::move(neighbours), std::move(patches))
   {
     detect_plane();
-    if(!planar_) mesh_.find_normals();
+    if(!planar_) mesh_.provide_normals(normals);
   }
 
   void set_lift(Surface_lift lift)
   {
     lift_ = std::move(lift);
-    if(planar_ && lift_) mesh_.find_normals();
+    if(planar_ && lift_) mesh_.provide_normals(Normals::kept);
     planar_ = planar_ && !lift_;
   }
   bool has_lift() const { return bool(lift_); }

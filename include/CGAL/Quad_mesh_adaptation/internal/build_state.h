@@ -59,7 +59,9 @@ private:
   {
     Quad_complex& m = s_.mesh;
     const std::size_t n = in_.quads.size(), few = n / 16; // for small changes to come
-    m.reserve(in_.points.size() + few, n + few);
+    // those of the input keep their places to the end, all others may be new: what is not written
+    // to takes no memory, and a list that grows is there twice
+    m.reserve(2 * in_.points.size() + few, n + few);
     for(std::size_t v = 0; v < in_.points.size(); ++v) {
       Vertex_record r;
       r.p = in_.points[v];
@@ -112,7 +114,8 @@ private:
 
   void use_input(const Hermite_edges& edges, const Geometry_options& geometry)
   {
-    s_.surface = Mesh_triangles(s_.mesh).surface(true); // faces have the numbers of the quads still
+    s_.surface = Mesh_triangles(s_.mesh).surface(
+        true, Normals::kept); // faces have the numbers of the quads still
     for(std::size_t f = 0; f < in_.quads.size(); ++f)
       for(Index v : in_.quads[f]) s_.mesh.vertex(v).hint = Index(2 * f); // a triangle next to it
     s_.reference_patch.resize(s_.given_patch.size());

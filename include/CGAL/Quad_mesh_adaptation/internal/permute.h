@@ -41,7 +41,7 @@ void move_to_places(std::vector<T>& list, std::vector<Index>& place, std::size_t
       std::swap(place[i], place[to]);
     }
   list.resize(n);
-  if(list.capacity() <= n + n / 3) return;
+  if(list.capacity() <= 3 * n) return;
   std::vector<T> result;
   result.reserve(n + n / 16);
   result.assign(list.begin(), list.end());

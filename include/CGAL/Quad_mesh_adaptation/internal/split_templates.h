@@ -92,8 +92,7 @@ public:
   }
 
 private:
-  // Where the mesh grows by much, at once and with some to spare: lists that grow by and by are
-  // there twice each time.
+  // Where the mesh grows by much, at once: lists that grow by and by are there twice each time.
   void make_room()
   {
     Quad_complex& m = s_.mesh;
@@ -113,7 +112,7 @@ private:
     if(4 * faces < std::size_t(m.number_of_faces())) return;
     nodes += std::size_t(m.vertex_end()) + sides / 2;
     faces += std::size_t(m.face_end());
-    m.reserve(nodes + nodes / 16, faces + faces / 16);
+    m.make_room(nodes, faces);
   }
 
   bool cut_face(Index f)
