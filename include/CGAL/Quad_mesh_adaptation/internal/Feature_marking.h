@@ -6,7 +6,9 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Crease_lookup.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_parts.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 
 #include <algorithm>
@@ -89,6 +91,11 @@ public:
     }
     if(detected.empty()) return; // nor is any of these a stray one
     State_with_creases surface{ s_ };
+    if(is_in_plane(areas)) {
+      set_curves(detected, -1);
+      if(is_plane()) return; // its creases are tangles
+      set_curves(detected, 0);
+    }
     Stray_creases<State_with_creases>(surface, detected)();
   }
 
@@ -128,6 +135,39 @@ private:
   bool turns(const Area& a, const Area& b) const
   {
     return a.vector * b.vector < cos_ * a.norm * b.norm;
+  }
+
+  void set_curves(const std::vector<char>& where, Index c)
+  {
+    for(Index h = 0; h < 4 * s_.mesh.face_end(); ++h)
+      if(where[h]) s_.mesh.set_curve(h, c);
+  }
+
+  // Do all points lie in a plane?
+  bool is_in_plane(const std::vector<Area>& areas) const
+  {
+    constexpr double tolerance = 1e-9;
+    const std::vector<Quad>& quads = in_.quads;
+    const Vec origin = in_.points[quads[0][0]];
+    Vec normal(0, 0, 0);
+    double size = 0;
+    for(const Area& a : areas) normal = normal + a.vector;
+    for(const Quad& q : quads) size = (std::max)(size, distance(in_.points[q[0]], origin));
+    normal = normalized(normal);
+    return std::all_of(quads.begin(), quads.end(), [&](const Quad& q) {
+      return std::all_of(q.begin(), q.end(), [&](Index v) {
+        return std::abs((in_.points[v] - origin) * normal) <= tolerance * size;
+      });
+    });
+  }
+
+  // Is it one that the surface takes for a plane, parted by the features that are marked?
+  bool is_plane()
+  {
+    Quad_complex& m = s_.mesh;
+    const Face_parts parts(m, [&m](Index h) { return m.curve(h) < 0; });
+    for(Index f = 0; f < m.face_end(); ++f) m.set_patch(f, parts.of(f));
+    return Mesh_triangles(m).surface(true, Normals::none).is_planar();
   }
 
   bool is_constrained(Index h) const

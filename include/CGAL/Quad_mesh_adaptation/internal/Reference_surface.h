@@ -268,12 +268,31 @@ private:
     };
     // one after the other is quicker; if one is off, there may be no triangle there
     const bool are_all_on = std::all_of(points().begin(), points().end(), is_on);
+    double backward = 0;
     for(std::size_t t = 0; t < number_of_triangles(); ++t) {
       const auto c = triangle(Index(t));
       if(!are_all_on && !std::all_of(c.begin(), c.end(), is_on)) return false;
-      if(!(cross(c[1] - c[0], c[2] - c[0]) * plane_normal_ > 0)) return false;
+      backward -= (std::min)(cross(c[1] - c[0], c[2] - c[0]) * plane_normal_, 0.);
     }
-    return true;
+    return backward == 0 || is_only_tangled(backward);
+  }
+
+  // Triangles that face the other way, with twice so large an area, are no part of the shape of a
+  // plane where they are few and no patch consists of them.
+  bool is_only_tangled(double backward) const
+  {
+    constexpr double few = 0.1;
+    std::vector<double> area; // of patches, twice
+    double all = 0;
+    for(Index t = 0; t < Index(number_of_triangles()); ++t) {
+      const auto c = triangle(t);
+      const double a = cross(c[1] - c[0], c[2] - c[0]) * plane_normal_;
+      if(patch(t) >= Index(area.size())) area.resize(std::size_t(patch(t)) + 1, 0);
+      area[patch(t)] += a;
+      all += std::abs(a);
+    }
+    return backward <= few * all &&
+           std::all_of(area.begin(), area.end(), [](double a) { return a >= 0; });
   }
 
   Box_tree::Nearest nearest_of_all(const Vec& p) const

@@ -51,6 +51,21 @@ inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s,
   if(!text.empty()) report.advice.push_back(text);
 }
 
+// Tells of faces of a plane that face the other way, since they could be meant to.
+inline void advise_on_tangles(const Adaptation_state& s, Adaptation_report& report)
+{
+  if(!s.surface.is_planar()) return;
+  const Vec up = s.surface.normal(0);
+  std::size_t turned = 0;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && area_vector(s.corners(f)) * up < 0) ++turned;
+  if(turned == 0) return;
+  report.advice.push_back(
+      std::to_string(turned) +
+      " faces of the input face the other way than most in their plane: they are taken as tangled, "
+      "not as folded over; mark their edges as constrained if they are");
+}
+
 // Are few faces too large or far too small, so that most may stay as they are?
 inline bool fits_mostly(const Size_ratio_table& ratios)
 {
@@ -179,6 +194,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     geometry.reference = reference ? &*reference : nullptr;
     build_state(in, features, geometry, s);
     count_features(s, report);
+    advise_on_tangles(s, report);
     std::optional<Figures_of_faces> kept(in);
     report.before = measured_state(s, reference, &*kept);
     if(!fits_mostly(report.before.strict_size_ratio)) kept.reset();
