@@ -8,12 +8,14 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Linked_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/closest_point.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+#include <CGAL/Quad_mesh_adaptation/internal/plane_of_triangles.h>
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,8 +42,7 @@ public:
                     const Edge_keys& sharp = {})
       : mesh_(std::move(points), std::move(triangles), sharp)
   {
-    detect_plane();
-    if(!planar_) mesh_.provide_normals(Normals::kept);
+    if(!detect_plane()) mesh_.provide_normals(Normals::kept);
   }
 
   // Of triangles whose neighbours across sides (i, i + 1) are known, and maybe their patches.
@@ -50,8 +51,7 @@ public:
                     Normals normals)
       : mesh_(std::move(points), std::move(triangles), std::move(neighbours), std::move(patches))
   {
-    detect_plane();
-    if(!planar_) mesh_.provide_normals(normals);
+    if(!detect_plane()) mesh_.provide_normals(normals);
   }
 
   void set_lift(Surface_lift lift)
@@ -85,7 +85,7 @@ public:
   }
 
   // Unit normal of triangle t; the plane's normal on a planar surface, whatever t.
-  Vec normal(Index t) const { return planar_ ? plane_normal_ : mesh_.normal(t); }
+  Vec normal(Index t) const { return planar_ ? plane_.normal : mesh_.normal(t); }
 
   // Point of the surface nearest to p and its normal, looked for from triangle `hint`, which is
   // updated; hint < 0 asks the tree.  With a lift, the foot on the triangles is shifted until the
@@ -193,6 +193,14 @@ public:
   }
 
 private:
+  bool detect_plane()
+  {
+    const std::optional<Plane> plane = plane_of(mesh_);
+    planar_ = bool(plane);
+    if(plane) plane_ = *plane;
+    return planar_;
+  }
+
   struct Corners_of // what the tree asks
   {
     const Reference_surface& surface;
@@ -201,7 +209,7 @@ private:
 
   Vec nearest_foot(const Vec& p, Index& hint) const
   {
-    if(planar_) return p - ((p - plane_point_) * plane_normal_) * plane_normal_;
+    if(planar_) return p - ((p - plane_.point) * plane_.normal) * plane_.normal;
     if(hint < 0) return locate(p, hint);
     return walk(p, hint);
   }
@@ -220,79 +228,6 @@ private:
     if(t >= 0) return there;
     t = find(p, patch(start), normal(start));
     return closest_on_triangle(p, triangle(t)).point;
-  }
-
-  // Do two triangles show at once that there is no plane?  None that is not tiny is turned by so
-  // much against a plane on which it lies.
-  bool is_clearly_bent() const
-  {
-    constexpr std::size_t most = 64;
-    constexpr double tiny = 1e-8, turned = 1e-3;
-    double size2 = 0;
-    for(const Vec& q : points()) size2 = (std::max)(size2, (q - points()[0]).squared_length());
-    Vec first(0, 0, 0);
-    for(std::size_t i = 0; i < most; ++i) {
-      const std::array<Vec, 3> c = triangle(Index(i * number_of_triangles() / most));
-      const Vec n = cross(c[1] - c[0], c[2] - c[0]);
-      const double longest2 =
-          (std::max)({ (c[1] - c[0]).squared_length(), (c[2] - c[1]).squared_length(),
-                       (c[0] - c[2]).squared_length() });
-      // 2 sizes are more than the largest distance from any corner
-      if(!(n * n > 4 * tiny * tiny * size2 * longest2)) continue;
-      if(first * first > 0 && norm(cross(first, normalized(n))) > turned) return true;
-      if(!(first * first > 0)) first = normalized(n);
-    }
-    return false;
-  }
-
-  void detect_plane()
-  {
-    if(is_clearly_bent()) return;
-    const Vec first = triangle(0)[0];
-    Vec n(0, 0, 0);
-    double size = 0;
-    for(std::size_t t = 0; t < number_of_triangles(); ++t) {
-      const auto c = triangle(Index(t));
-      n = n + cross(c[1] - c[0], c[2] - c[0]);
-      size = (std::max)(size, (c[0] - first).squared_length());
-    }
-    plane_normal_ = normalized(n);
-    plane_point_ = first;
-    planar_ = n * n > 0 && lies_on_plane(1e-12 * std::sqrt(size));
-  }
-
-  bool lies_on_plane(double tolerance) const
-  {
-    const auto is_on = [&](const Vec& q) {
-      return std::abs((q - plane_point_) * plane_normal_) <= tolerance;
-    };
-    // one after the other is quicker; if one is off, there may be no triangle there
-    const bool are_all_on = std::all_of(points().begin(), points().end(), is_on);
-    double backward = 0;
-    for(std::size_t t = 0; t < number_of_triangles(); ++t) {
-      const auto c = triangle(Index(t));
-      if(!are_all_on && !std::all_of(c.begin(), c.end(), is_on)) return false;
-      backward -= (std::min)(cross(c[1] - c[0], c[2] - c[0]) * plane_normal_, 0.);
-    }
-    return backward == 0 || is_only_tangled(backward);
-  }
-
-  // Triangles that face the other way, with twice so large an area, are no part of the shape of a
-  // plane where they are few and no patch consists of them.
-  bool is_only_tangled(double backward) const
-  {
-    constexpr double few = 0.1;
-    std::vector<double> area; // of patches, twice
-    double all = 0;
-    for(Index t = 0; t < Index(number_of_triangles()); ++t) {
-      const auto c = triangle(t);
-      const double a = cross(c[1] - c[0], c[2] - c[0]) * plane_normal_;
-      if(patch(t) >= Index(area.size())) area.resize(std::size_t(patch(t)) + 1, 0);
-      area[patch(t)] += a;
-      all += std::abs(a);
-    }
-    return backward <= few * all &&
-           std::all_of(area.begin(), area.end(), [](double a) { return a >= 0; });
   }
 
   Box_tree::Nearest nearest_of_all(const Vec& p) const
@@ -319,7 +254,7 @@ private:
   Linked_triangles mesh_;
   Surface_lift lift_;
   bool planar_ = false;
-  Vec plane_normal_ = Vec(0, 0, 1), plane_point_ = Vec(0, 0, 0);
+  Plane plane_;
   std::shared_ptr<Tree_on_demand> tree_ = std::make_shared<Tree_on_demand>(); // of all copies
 };
 
