@@ -137,3 +137,20 @@ TEST(Features_kept, OnMeshesByOthers)
   const Shape body = read("makehuman_body");
   for(double factor : { 2., 4. }) expect_kept(body, factor);
 }
+
+// Where features leave no room for faces as large as asked for, the report says so.
+TEST(Features_kept, ThoseThatHoldFacesSmallAreTold)
+{
+  const auto advice = [](const Shape& s, double factor) {
+    Mesh mesh = zoo_mesh::make<Mesh, Point>(s);
+    std::string text;
+    for(const std::string& a : QMA::adapt_quad_mesh(factor * zoo_mesh::mean_edge(s), mesh).advice)
+      text += a;
+    return text;
+  };
+  const std::string told = advice(read("box_cylinder"), 4);
+  EXPECT_NE(told.find("are smaller than half their size"), std::string::npos) << told;
+  EXPECT_NE(told.find("a larger feature angle"), std::string::npos) << told;
+  EXPECT_EQ(advice(read("box_cylinder"), 0.5), "");
+  EXPECT_EQ(advice(box(), 0.7), "");
+}

@@ -90,7 +90,7 @@ void expect_untangled(const Shape& shape, const Mesh& mesh, const Adaptation_rep
 bool is_told_of(const Adaptation_report& report)
 {
   for(const std::string& text : report.advice)
-    if(text.find("face the other way") != std::string::npos) return true;
+    if(text.find("the other way round") != std::string::npos) return true;
   return false;
 }
 

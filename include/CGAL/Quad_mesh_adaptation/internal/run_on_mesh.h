@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Frozen_edges.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Positions.h>
+#include <CGAL/Quad_mesh_adaptation/internal/advise_on_result.h>
 #include <CGAL/Quad_mesh_adaptation/internal/check_feature_angle.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
@@ -60,10 +61,11 @@ inline void advise_on_tangles(const Adaptation_state& s, Adaptation_report& repo
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f) && area_vector(s.corners(f)) * up < 0) ++turned;
   if(turned == 0) return;
+  const std::string faces = turned == 1 ? " face of the input lies" : " faces of the input lie";
   report.advice.push_back(
-      std::to_string(turned) +
-      " faces of the input face the other way than most in their plane: they are taken as tangled, "
-      "not as folded over; mark their edges as constrained if they are");
+      std::to_string(turned) + faces +
+      " the other way round than most in their plane: that is taken for a tangle, not for a sheet "
+      "that is folded over; mark the edges of the fold as constrained if it is one");
 }
 
 // Are few faces too large or far too small, so that most may stay as they are?
@@ -228,6 +230,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     }
     const std::vector<Index> large = faces_too_large(s, largest_allowed(aim));
     judge_sizes(report, kind.is_paper, aim, large.size());
+    advise_on_features(s, report);
     const std::vector<Index> far = bound.faces_too_far();
     judge_distances(report, bound.allowed(), far.size());
     const std::vector<Poor_face> poor = poor_faces(s, Poor_face::floor);
