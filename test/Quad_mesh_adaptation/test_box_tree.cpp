@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Box_tree.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Largest_distance.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Nearest_triangle.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 
 #include <gtest/gtest.h>
@@ -78,7 +79,125 @@ void expect_nearest(std::size_t n, double size, const Vec& where)
   }
 }
 
+std::vector<core::Valued_triangle> valued(const std::vector<Triangle>& list)
+{
+  std::vector<core::Valued_triangle> result;
+  for(const Triangle& t : list) result.push_back({ t, { double(result.size()), 0, 0 } });
+  return result; // the first value is the number
+}
+
+// The same triangle as by Box_tree, also where several are as near, and as near as any.
+void expect_nearest_for_values(const std::vector<Triangle>& list, const std::vector<Vec>& points)
+{
+  const auto corners = [&](Index t) { return list[t]; };
+  const core::Box_tree tree(Index(list.size()), corners);
+  const core::Nearest_triangle nearest(valued(list));
+  for(const Vec& p : points) {
+    double least = 1e300;
+    for(const Triangle& t : list) least = std::min(least, distance_to(t, p));
+    const auto found = nearest(p);
+    ASSERT_GE(found.triangle, 0);
+    EXPECT_EQ(core::distance(found.nearest, p), least);
+    const auto expected = tree.nearest(
+        p, corners, [](Index) { return true; }, 1e150);
+    EXPECT_EQ(nearest[found.triangle].values[0], expected.triangle);
+    EXPECT_EQ(found.nearest, expected.point);
+  }
+}
+
+std::vector<Vec> points_about(Random& random, double size, const Vec& where, int n = 300)
+{
+  std::vector<Vec> points;
+  for(int i = 0; i < n; ++i)
+    points.push_back(where + size * (1.6 * random.point() - Vec(0.3, 0.3, 0.3)));
+  return points;
+}
+
+// A bent sheet of two triangles a cell; its nodes are multiples of 1 / 8 in two coordinates.
+std::vector<Triangle> sheet(int n, const Vec& across)
+{
+  std::vector<Triangle> list;
+  const auto at = [&](int i, int j) {
+    return Vec(0.125 * i, 0.125 * j, 0) + std::abs(0.125 * i - 0.0625 * n) * across;
+  };
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j) {
+      list.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1) });
+      list.push_back({ at(i, j), at(i + 1, j + 1), at(i, j + 1) });
+    }
+  return list;
+}
+
 } // namespace
+
+TEST(NearestTriangle, IsThatOfTheOtherTree)
+{
+  Random random;
+  for(std::size_t n : { 1, 2, 3, 4, 5, 8, 9, 16, 17, 31, 33, 65, 100, 1000, 3000 })
+    expect_nearest_for_values(triangles(random, n, 1, Vec(0, 0, 0)),
+                              points_about(random, 1, Vec(0, 0, 0)));
+}
+
+TEST(NearestTriangle, IsThatOfTheOtherTreeAtAnyScaleAndPlace)
+{
+  Random random;
+  for(double size : { 1e-60, 1e-9, 1e40 })
+    expect_nearest_for_values(triangles(random, 300, size, Vec(0, 0, 0)),
+                              points_about(random, size, Vec(0, 0, 0)));
+  const Vec far(1e6, -1e6, 1e7);
+  expect_nearest_for_values(triangles(random, 300, 1, far), points_about(random, 1, far));
+  expect_nearest_for_values(triangles(random, 300, 0, far), points_about(random, 1, far));
+}
+
+TEST(NearestTriangle, IsTheSameOfEquals)
+{
+  Random random;
+  for(int n : { 2, 3, 7, 16, 23 })
+    for(const Vec& across : { Vec(0, 0, 0), Vec(0, 0, 0.5), Vec(0.1, 0, 1) }) {
+      std::vector<Triangle> list = sheet(n, across);
+      const std::vector<Triangle> again(list.begin(), list.begin() + std::ptrdiff_t(n));
+      list.insert(list.end(), again.begin(), again.end()); // some twice
+      std::vector<Vec> points = points_about(random, 0.125 * n, Vec(0, 0, 0));
+      for(const Triangle& t : list)
+        for(int i = 0; i < 3; ++i) {
+          points.push_back(t[i]);
+          points.push_back(0.5 * (t[i] + t[(i + 1) % 3]));
+          points.push_back(t[i] + Vec(0, 0, 0.25 * i));
+        }
+      expect_nearest_for_values(list, points);
+    }
+}
+
+TEST(NearestTriangle, IsFoundAmongThinOnesAndFromFarAway)
+{
+  Random random;
+  std::vector<Triangle> list = triangles(random, 500, 1, Vec(0, 0, 0));
+  for(int i = 0; i < 50; ++i) {
+    const Vec p = random.point(), q = random.point();
+    list.push_back({ p, p, p });
+    list.push_back({ p, q, 0.5 * (p + q) });
+    list.push_back({ p, q, p + 1e-9 * random.point() });
+  }
+  for(int i = 0; i < 300; ++i) { // tiny ones: many in one cell
+    const Vec p = Vec(0.3, 0.3, 0.3) + 1e-4 * random.point();
+    list.push_back({ p, p + 1e-6 * random.point(), p + 1e-6 * random.point() });
+  }
+  std::vector<Vec> points = points_about(random, 1, Vec(0, 0, 0));
+  for(const Vec& p : points_about(random, 1e-4, Vec(0.3, 0.3, 0.3))) points.push_back(p);
+  for(double away : { 3., 1e3, 1e6, 1e9, 1e14, 1e16, 1e30 })
+    for(int i = 0; i < 20; ++i) points.push_back(away * (random.point() - Vec(0.5, 0.5, 0.5)));
+  expect_nearest_for_values(list, points);
+}
+
+TEST(NearestTriangle, IsNoneWhereACoordinateIsNone)
+{
+  Random random;
+  const core::Nearest_triangle nearest(valued(triangles(random, 100, 1, Vec(0, 0, 0))));
+  for(double x : { std::nan(""), HUGE_VAL, -HUGE_VAL }) {
+    EXPECT_EQ(nearest(Vec(x, 0, 0)).triangle, -1);
+    EXPECT_EQ(nearest(Vec(0.5, 0.5, x)).triangle, -1);
+  }
+}
 
 TEST(BoxTree, FindsTheNearest)
 {
