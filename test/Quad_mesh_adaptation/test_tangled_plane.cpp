@@ -179,6 +179,28 @@ TEST(Tangled_plane, PartTurnedOverStays)
   EXPECT_GE(report.after.min_scaled_jacobian, 0.45);
 }
 
+// On curved surfaces the edges about nodes that have slid over others are no creases, either.
+TEST(Tangled_surface, NodesAstray)
+{
+  for(const Shape& smooth : { shape_zoo::torus(24, 12), shape_zoo::torus(48, 24) })
+    for(unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(smooth.name + ", seed " + std::to_string(seed));
+      Shape shape = smooth;
+      std::mt19937 random(seed);
+      for(int k = 0; k < 5; ++k) {
+        const auto& q = smooth.quads[random() % smooth.quads.size()];
+        const Vec from = smooth.points[q[0]], to = smooth.points[q[1]];
+        shape.points[q[0]] = to + 0.4 * (to - from);
+      }
+      Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
+      const Adaptation_report report = QMA::adapt_quad_mesh(zoo_mesh::mean_edge(smooth), mesh);
+      ASSERT_TRUE(report.has_valid_mesh()) << report.message;
+      zoo_mesh::expect_valid(mesh, mesh_checks::facts_of(shape.points, shape.quads));
+      EXPECT_EQ(report.feature_curves, 0u);
+      EXPECT_GE(report.after.min_scaled_jacobian, 0.45);
+    }
+}
+
 // A plane without tangles is nothing to speak of.
 TEST(Tangled_plane, OthersAreNotToldOf)
 {

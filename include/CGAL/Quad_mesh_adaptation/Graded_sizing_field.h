@@ -60,7 +60,7 @@ public:
   ///         std::domain_error if a size is not a positive finite number;
   ///         exceptions of `sizing` pass through.
   ///
-  /// O(n log n) for n samples, about four for each face that the graded size asks for.
+  /// O(n log n) for n samples, ten to thirty for each face that the graded size asks for.
   template <class QuadMesh, class NP = parameters::Default_named_parameters>
   Graded_sizing_field(const QuadMesh& mesh, SizingField sizing, double growth,
                       const NP& np = parameters::default_values(),

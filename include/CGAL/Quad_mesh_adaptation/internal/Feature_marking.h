@@ -10,6 +10,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
+#include <CGAL/Quad_mesh_adaptation/internal/tangled_nodes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,15 +38,16 @@ struct State_with_creases
 
   Index vertex_end() const { return state.mesh.vertex_end(); }
   Index halfedge_end() const { return 4 * state.mesh.face_end(); }
+  Index face(Index h) const { return state.mesh.face(h); }
+  Index next(Index h) const { return Quad_complex::next(h); }
   Index origin(Index h) const { return state.mesh.origin(h); }
   Index target(Index h) const { return state.mesh.target(h); }
   Index opposite(Index h) const { return state.mesh.opposite(h); }
   Index across(Index h) const { return Quad_complex::next(Quad_complex::next(h)); }
   double turn(Index h) const { return turn_across(state, h); }
-  double length(Index h) const
-  {
-    return distance(state.mesh.point(origin(h)), state.mesh.point(target(h)));
-  }
+  const Vec& point(Index v) const { return state.mesh.point(v); }
+  double length(Index h) const { return distance(point(origin(h)), point(target(h))); }
+  Vec area_vector(Index f) const { return internal::area_vector(state.corners(f)); }
   bool is_feature(Index h) const { return state.mesh.curve(h) >= 0; }
   void forget(Index h) { state.mesh.set_curve(h, -1); }
   bool is_held(Index v) const { return state.mesh.vertex(v).frozen; }
@@ -96,6 +98,7 @@ public:
       if(is_plane()) return; // its creases are tangles
       set_curves(detected, 0);
     }
+    Tangled_nodes<State_with_creases>(surface, detected, cos_)();
     Stray_creases<State_with_creases>(surface, detected)();
   }
 

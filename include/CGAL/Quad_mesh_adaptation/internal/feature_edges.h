@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
+#include <CGAL/Quad_mesh_adaptation/internal/tangled_nodes.h>
 
 #include <cmath>
 #include <cstddef>
@@ -29,6 +30,8 @@ public:
 
   Index vertex_end() const { return Index(mesh_.points.size()); }
   Index halfedge_end() const { return mesh_.number_of_halfedges(); }
+  Index face(Index h) const { return mesh_.face[h]; }
+  Index next(Index h) const { return mesh_.next(h); }
   Index origin(Index h) const { return mesh_.origin[h]; }
   Index target(Index h) const { return mesh_.origin[mesh_.next(h)]; }
   Index opposite(Index h) const { return mesh_.opposite[h]; }
@@ -42,6 +45,8 @@ public:
     const Index o = mesh_.opposite[h];
     return o < 0 ? 0. : angle_between(areas_[mesh_.face[h]], areas_[mesh_.face[o]]);
   }
+  const Vec& point(Index v) const { return mesh_.points[v]; }
+  const Vec& area_vector(Index f) const { return areas_[f]; }
   double length(Index h) const { return distance(mesh_.source(h), mesh_.target(h)); }
   bool is_feature(Index h) const { return is_feature_[h]; }
   void forget(Index h) { is_feature_[h] = is_feature_[mesh_.opposite[h]] = 0; }
@@ -68,6 +73,7 @@ inline std::vector<char> feature_edges(const Face_arrays& mesh, double cos_featu
     else if(o > h && surface.turn(h) > angle)
       is_feature[h] = is_feature[o] = detected[h] = detected[o] = 1;
   }
+  Tangled_nodes<Arrays_with_creases>(surface, detected, cos_feature)();
   Stray_creases<Arrays_with_creases>(surface, detected)();
   return is_feature;
 }
