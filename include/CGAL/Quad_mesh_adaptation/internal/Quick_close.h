@@ -54,7 +54,7 @@ public:
     look_at(h);
     if(!is_simple() || (lost_ >= 0 && !is_fusible())) return false;
     guess_merged();
-    if(!is_well_shaped() || !place_merged()) return false;
+    if(!is_within_limit() || !is_well_shaped() || !place_merged()) return false;
     commit();
     if(lost_ >= 0) fuse();
     return true;
@@ -139,12 +139,10 @@ private:
     return (merged_.p - guess).squared_length() < 0.1 * along.squared_length();
   }
 
-  double quality(const Quad& q) const
+  // The node as it will be.
+  const Vertex_record& node(Index v) const
   {
-    const auto node = [this](Index v) -> const Vertex_record& {
-      return v == a_ || v == c_ ? merged_ : s_.mesh.vertex(v);
-    };
-    return changed_face_quality(q, node, limit_);
+    return v == a_ || v == c_ ? merged_ : s_.mesh.vertex(v);
   }
 
   Quad fused() const
@@ -153,19 +151,47 @@ private:
     return { a_, m.target(m.next(from_lost_)), far_, m.origin(m.prev(to_lost_)) };
   }
 
-  // Are the faces about the merged node as they should be, or at least no worse than they were?
-  bool is_well_shaped() const
+  // Are they true of all faces about the merged node as they will be?
+  template <typename Predicate>
+  bool are_all(const Predicate& is_fine) const
   {
-    constexpr double least = 0.3;
-    double worst = lost_ >= 0 ? quality(fused()) : 1.;
+    if(lost_ >= 0 && !is_fine(fused())) return false;
     for(Index g : star_) {
       const Index f = s_.mesh.face(g);
       if(f == s_.mesh.face(h_)) continue;
       if(lost_ >= 0 && (f == s_.mesh.face(from_lost_) || f == s_.mesh.face(to_lost_))) continue;
-      worst = (std::min)(worst, quality(s_.mesh.quad(f)));
-      if(worst < -1) return false;
+      if(!is_fine(s_.mesh.quad(f))) return false;
     }
-    return worst >= least || (worst >= -1 && worst >= worst_before());
+    return true;
+  }
+
+  // What most trials fail for, and the cheapest to find out.
+  bool is_within_limit() const
+  {
+    const auto node_of = [this](Index v) -> const Vertex_record& { return node(v); };
+    return are_all([&](const Quad& q) { return !is_changed_face_longer(q, node_of, limit_); });
+  }
+
+  // Are the faces about the merged node as they should be, or at least no worse than they were?
+  // What is less good is mended by smoothing where nodes are free, but hardly beside curves.
+  bool is_well_shaped() const
+  {
+    constexpr double least = 0.2, least_beside_curves = 0.3;
+    const auto node_of = [this](Index v) -> const Vertex_record& { return node(v); };
+    double before = 2; // above any
+    return are_all([&](const Quad& q) {
+      const double quality = changed_face_quality(q, node_of);
+      if(quality >= (is_held(q) ? least_beside_curves : least)) return true;
+      if(before > 1) before = worst_before();
+      return quality >= before;
+    });
+  }
+
+  bool is_held(const Quad& q) const
+  {
+    return std::any_of(q.begin(), q.end(), [this](Index v) {
+      return s_.mesh.vertex(v).carrier != Carrier::surface;
+    });
   }
 
   double worst_before() const

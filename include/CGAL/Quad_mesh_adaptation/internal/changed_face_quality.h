@@ -6,28 +6,35 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 
-#include <limits>
-
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Quality of the face q with its nodes as node(v) has them, less than any where it is longer than
-// `limit` sizes.
+// Is the face q longer than `limit` sizes with its nodes as node(v) has them?
 template <typename Node_of>
-double changed_face_quality(const Quad& q, const Node_of& node, double limit)
+bool is_changed_face_longer(const Quad& q, const Node_of& node, double limit)
+{
+  double sizes = 0, around = 0;
+  for(int i = 0; i < 4; ++i) {
+    const Vertex_record& r = node(q[i]);
+    sizes += r.h;
+    around += distance(r.p, node(q[(i + 1) & 3]).p);
+  }
+  return around > limit * sizes;
+}
+
+// Quality of the face q with its nodes as node(v) has them.
+template <typename Node_of>
+double changed_face_quality(const Quad& q, const Node_of& node)
 {
   Corners p;
   Facing reference;
-  double sizes = 0;
   for(int i = 0; i < 4; ++i) {
     const Vertex_record& r = node(q[i]);
     p[i] = r.p;
     reference.add(r.normal);
-    sizes += r.h;
   }
-  return mean_edge_length(p) > 0.25 * limit * sizes ? -(std::numeric_limits<double>::infinity)()
-                                                    : Adaptation_state::face_quality(p, reference);
+  return Adaptation_state::face_quality(p, reference);
 }
 
 } // namespace internal

@@ -92,7 +92,8 @@ private:
     for(Index h = 4 * f; h < 4 * f + 4; ++h)
       if(!is_curve_kept(h)) return false;
     const auto node = [this](Index v) -> const Vertex_record& { return nodes_.node(v); };
-    const double quality = changed_face_quality(s_.mesh.quad(f), node, limit_);
+    if(is_changed_face_longer(s_.mesh.quad(f), node, limit_)) return false;
+    const double quality = changed_face_quality(s_.mesh.quad(f), node);
     return quality >= least ||
            quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
   }

@@ -102,20 +102,23 @@ inline bool is_rich_in_curves(const Adaptation_state& s)
 }
 
 // Closes faces until those that are left have up to `share` of their size, or there are no more
-// than `enough`; in steps, so that the mesh stays even.
+// than `enough`; in steps, so that the mesh stays even, the last as long as it closes many.
 inline std::size_t thin_by_faces(Adaptation_state& s, double share, Index enough)
 {
-  constexpr double step = 1.4;
+  constexpr double step = 1.4, many = 0.1;
   const double now = std::sqrt(mean_square_ratio(s));
   double limit = share;
   while(limit > 1.7 * now) limit /= step;
   s.restless.assign(s.mesh.vertex_end(), 0);
   Face_thinning thinning(s);
   std::size_t total = 0;
-  for(; limit < 1.01 * share && s.mesh.number_of_faces() > enough; limit *= step) {
-    total += thinning.pass(limit);
+  while(limit < 1.01 * share && s.mesh.number_of_faces() > enough) {
+    const std::size_t closed = thinning.pass(limit);
+    total += closed;
     s.forget_faces();
     smooth_plainly(s);
+    const bool is_last = limit * step > 1.01 * share;
+    if(!is_last || double(closed) < many * double(s.mesh.number_of_faces())) limit *= step;
   }
   return total;
 }
@@ -150,7 +153,7 @@ void thin_out(Adaptation_state& s, const Look_closer& look_closer)
   const bool is_rich = is_quick && is_rich_in_curves(s);
   if(!is_quick || is_rich || !is_far_too_fine(s) || is_regular(s)) look_closer();
   if(!is_quick || is_rich || !is_far_too_fine(s)) return;
-  thin_by_faces(s, 0.7, large_part(s));
+  thin_by_faces(s, 1, large_part(s));
   renumber_by_place(s);
 }
 
