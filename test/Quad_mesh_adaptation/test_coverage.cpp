@@ -85,6 +85,30 @@ std::size_t check_witnesses(const core::Adaptation_state& s)
 
 } // namespace
 
+// The face that covers a witness best is the one that looking at all of them finds.
+TEST(Coverage, BestOfSomeFaces)
+{
+  const core::Adaptation_state s = state_of(thorn(6), 0.3);
+  core::Covering_faces covers;
+  std::vector<Index> faces;
+  for(Index f = 0; f < s.mesh.face_end(); f += 7) {
+    faces.push_back(f);
+    covers.add(s.corners(f));
+  }
+  std::size_t seen = 0;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    s.coverage.for_each(f, [&](Index, const core::Witness& w) {
+      std::size_t nearest = 0;
+      for(std::size_t k = 1; k < faces.size(); ++k)
+        if(w.distance_to(s.corners(faces[k])) < w.distance_to(s.corners(faces[nearest])))
+          nearest = k;
+      for(const std::size_t likely : { std::size_t(0), seen % faces.size() })
+        EXPECT_EQ(covers.best_cover(w, likely).second, nearest);
+      ++seen;
+    });
+  EXPECT_GT(seen, 10u);
+}
+
 TEST(Coverage, NoWitnessesWhereFlatOrGentle)
 {
   EXPECT_TRUE(state_of(more_shapes::plate(8, 8), 3).coverage.is_empty());

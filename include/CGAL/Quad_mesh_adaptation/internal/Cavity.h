@@ -218,7 +218,7 @@ private:
   std::vector<double> factors_;               // wanted size over sum of nodal sizes, by quad
   std::vector<double> sizes_;                 // wanted, by quad; empty: nodes have moved since
   std::vector<int> near_;                     // quads about an old face
-  std::vector<Corners> near_corners_;
+  Covering_faces near_covers_;                // the same
   double energy_before_ = 0;
 };
 

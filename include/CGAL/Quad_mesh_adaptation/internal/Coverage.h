@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Size_sampler.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Box_tree.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Covering_faces.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Witness.h>
 #include <CGAL/Quad_mesh_adaptation/internal/choose_witnesses.h>
 
@@ -20,19 +21,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// The cost of a witness on the face that covers it best, and the number of that face.
-inline std::pair<double, std::size_t> best_cover(const Witness& w,
-                                                 const std::vector<Corners>& faces)
-{
-  std::pair<double, std::size_t> best(1e300, 0);
-  for(std::size_t k = 0; k < faces.size(); ++k) {
-    const double d = w.distance_to(faces[k]);
-    if(d < best.first) best = { d, k };
-  }
-  best.first = w.cost_at(best.first);
-  return best;
-}
 
 // What of the reference surface the mesh must not leave behind: witnesses on it, each kept by the
 // face that it is nearest to.  Nodes stay on the surface by taking its nearest point, and a face

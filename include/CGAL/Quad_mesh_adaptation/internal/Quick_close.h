@@ -189,9 +189,8 @@ private:
 
   bool is_held(const Quad& q) const
   {
-    return std::any_of(q.begin(), q.end(), [this](Index v) {
-      return s_.mesh.vertex(v).carrier != Carrier::surface;
-    });
+    return std::any_of(q.begin(), q.end(),
+                       [this](Index v) { return s_.mesh.vertex(v).carrier != Carrier::surface; });
   }
 
   double worst_before() const

@@ -45,9 +45,9 @@ struct Witness
   }
 
   // From a face, but farther from one that is turned away: it does not cover, however near.
-  double distance_to(const Corners& c) const
+  double distance_to(const Corners& c) const { return distance_to(c, area_vector(c)); }
+  double distance_to(const Corners& c, const Vec& n) const
   {
-    const Vec n = area_vector(c);
     const double d = std::sqrt(distance2(c));
     return n * normal < turned_away * norm(n) ? d + 1 / inverse_h : d;
   }

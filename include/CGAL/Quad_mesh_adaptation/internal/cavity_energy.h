@@ -85,7 +85,7 @@ void Cavity::for_each_witness(const Visit& visit)
     near_.clear();
     s_.coverage.for_each(f, [&](Index w, const Witness& witness) {
       if(near_.empty()) gather_near(f);
-      const std::pair<double, std::size_t> best = best_cover(witness, near_corners_);
+      const std::pair<double, std::size_t> best = near_covers_.best_cover(witness);
       visit(w, near_[best.second], best.first);
     });
   }
@@ -93,7 +93,7 @@ void Cavity::for_each_witness(const Visit& visit)
 
 inline void Cavity::gather_near(Index f)
 {
-  near_corners_.clear();
+  near_covers_.clear();
   for(Index v : s_.mesh.quad(f)) {
     const int n = local_of_[v];
     for(int i = first_corner(n); i < corner_end_[n]; ++i) near_.push_back(corner_list_[i] >> 2);
@@ -102,7 +102,7 @@ inline void Cavity::gather_near(Index f)
     for(int k = 0; k < int(quads.size()); ++k) near_.push_back(k);
   std::sort(near_.begin(), near_.end());
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
-  for(int k : near_) near_corners_.push_back(corners_of(quads[k]));
+  for(int k : near_) near_covers_.add(corners_of(quads[k]));
 }
 
 // The same with sizes interpolated between the nodes, by the factor of the face each quad comes

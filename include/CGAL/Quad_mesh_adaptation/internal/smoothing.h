@@ -41,19 +41,21 @@ inline void gather_pulls(const Adaptation_state& s, Index v, std::vector<Pull>& 
 inline void share_witnesses(Adaptation_state& s, Index v)
 {
   std::vector<Index> list, faces;
+  std::vector<std::size_t> kept_by; // which of the faces
   const Index start = s.mesh.vertex(v).halfedge;
   Index h = start;
   do {
     faces.push_back(s.mesh.face(h));
     s.coverage.take(faces.back(), list);
+    kept_by.resize(list.size(), faces.size() - 1);
     h = s.mesh.turn_left(h);
   } while(h >= 0 && h != start);
   if(list.empty()) return;
-  std::vector<Corners> corners;
-  for(Index f : faces) corners.push_back(s.corners(f));
-  for(Index w : list) {
-    const std::pair<double, std::size_t> best = best_cover(s.coverage[w], corners);
-    s.coverage.give(w, faces[best.second], best.first);
+  Covering_faces covers;
+  for(Index f : faces) covers.add(s.corners(f));
+  for(std::size_t i = 0; i < list.size(); ++i) {
+    const auto best = covers.best_cover(s.coverage[list[i]], kept_by[i]);
+    s.coverage.give(list[i], faces[best.second], best.first);
   }
 }
 

@@ -147,11 +147,11 @@ private:
     witnesses_.clear();
     s_.coverage.take(face_, witnesses_);
     if(witnesses_.empty()) return;
-    corners_.clear();
+    covers_.clear();
     for(std::size_t i = first_child_; i < children_.size(); ++i)
-      corners_.push_back(s_.corners(children_[i]));
+      covers_.add(s_.corners(children_[i]));
     for(Index w : witnesses_) {
-      const std::pair<double, std::size_t> best = best_cover(s_.coverage[w], corners_);
+      const std::pair<double, std::size_t> best = covers_.best_cover(s_.coverage[w]);
       s_.coverage.give(w, children_[first_child_ + best.second], best.first);
     }
   }
@@ -214,7 +214,7 @@ private:
   Adaptation_state& s_;
   const std::vector<char>& split_;
   std::vector<Index> middle_, children_, witnesses_;
-  std::vector<Corners> corners_;
+  Covering_faces covers_;
   std::size_t first_child_ = 0; // of the face that is cut, among the children
   std::array<Index, 4> corner_, mid_, curve_;
   Index patch_ = 0, face_ = 0;
