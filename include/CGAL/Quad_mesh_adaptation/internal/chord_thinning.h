@@ -88,14 +88,22 @@ private:
 
   bool is_well_shaped(Index f) const
   {
-    constexpr double least = 0.35;
+    // smoothing mends what is less good where nodes are free, but hardly beside curves
+    constexpr double least = 0.2, least_beside_curves = 0.35;
     for(Index h = 4 * f; h < 4 * f + 4; ++h)
       if(!is_curve_kept(h)) return false;
     const auto node = [this](Index v) -> const Vertex_record& { return nodes_.node(v); };
     if(is_changed_face_longer(s_.mesh.quad(f), node, limit_)) return false;
     const double quality = changed_face_quality(s_.mesh.quad(f), node);
-    return quality >= least ||
+    return quality >= (is_held(f) ? least_beside_curves : least) ||
            quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
+  }
+
+  bool is_held(Index f) const
+  {
+    const Quad q = s_.mesh.quad(f);
+    return std::any_of(q.begin(), q.end(),
+                       [this](Index v) { return nodes_.node(v).carrier != Carrier::surface; });
   }
 
   // An edge of a closed curve stands for the shorter way round.
