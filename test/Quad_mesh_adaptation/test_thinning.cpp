@@ -47,7 +47,7 @@ TEST(Thinning, ChordsOfAPlate)
   for(const Index n : { 40, 41 }) {
     Adaptation_state s = fine_state(shape_zoo::plate(n, n + 3), 4);
     const state_checks::Snapshot before = state_checks::snapshot(s);
-    const std::size_t removed = core::Chord_thinning(s, 1)();
+    const std::size_t removed = core::Chord_thinning(s, 1, 0.35)();
     EXPECT_GT(double(removed), 0.7 * n * (n + 3));
     EXPECT_EQ(irregular_nodes(s), 0u);
     expect_sound(s, before);
@@ -60,7 +60,7 @@ TEST(Thinning, ChordsOfTheZoo)
   for(Named_state& n : all_states()) {
     n.state.scale_sizes(5);
     const state_checks::Snapshot before = state_checks::snapshot(n.state);
-    core::Chord_thinning(n.state, 1)();
+    core::Chord_thinning(n.state, 1, 0.2)();
     EXPECT_EQ(state_checks::problem_of(n.state, before, false), "") << n.name;
   }
 }
@@ -69,8 +69,8 @@ TEST(Thinning, ChordsOfTheZoo)
 TEST(Thinning, WantedChordsStay)
 {
   Adaptation_state s = fine_state(shape_zoo::plate(20, 20), 1);
-  EXPECT_EQ(core::Chord_thinning(s, 1)(), 0u);
-  EXPECT_EQ(core::Face_thinning(s).pass(0.7), 0u);
+  EXPECT_EQ(core::Chord_thinning(s, 1, 0.35)(), 0u);
+  EXPECT_EQ(core::Face_thinning(s, 0.3).pass(0.7), 0u);
   EXPECT_EQ(s.mesh.number_of_faces(), 400);
 }
 
@@ -79,7 +79,7 @@ TEST(Thinning, FacesOfTheZoo)
   for(Named_state& n : all_states()) {
     n.state.scale_sizes(6);
     const state_checks::Snapshot before = state_checks::snapshot(n.state);
-    for(const double limit : { 0.3, 0.5, 0.7 }) core::Face_thinning(n.state).pass(limit);
+    for(const double limit : { 0.3, 0.5, 0.7 }) core::Face_thinning(n.state, 0.2).pass(limit);
     n.state.forget_faces();
     EXPECT_EQ(state_checks::problem_of(n.state, before, false), "") << n.name;
   }

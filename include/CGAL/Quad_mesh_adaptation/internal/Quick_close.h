@@ -22,8 +22,11 @@ namespace internal {
 class Quick_close
 {
 public:
-  // No face about the new node may be longer than `limit` sizes.
-  Quick_close(Adaptation_state& s, double limit) : s_(s), limit_(limit) {}
+  // No face about the new node may be longer than `limit` sizes, nor, away from curves, worse than
+  // `least`.
+  Quick_close(Adaptation_state& s, double limit, double least) : s_(s), limit_(limit), least_(least)
+  {
+  }
 
   // May the ends of the diagonal from the origin of h become one, as far as counts of faces tell?
   // The change of the sum of squares of what nodes have too many or too few goes to `squares`.
@@ -176,12 +179,12 @@ private:
   // What is less good is mended by smoothing where nodes are free, but hardly beside curves.
   bool is_well_shaped() const
   {
-    constexpr double least = 0.2, least_beside_curves = 0.3;
+    constexpr double least_beside_curves = 0.3;
     const auto node_of = [this](Index v) -> const Vertex_record& { return node(v); };
     double before = 2; // above any
     return are_all([&](const Quad& q) {
       const double quality = changed_face_quality(q, node_of);
-      if(quality >= (is_held(q) ? least_beside_curves : least)) return true;
+      if(quality >= (is_held(q) ? least_beside_curves : least_)) return true;
       if(before > 1) before = worst_before();
       return quality >= before;
     });
@@ -257,7 +260,7 @@ private:
   }
 
   Adaptation_state& s_;
-  double limit_;
+  double limit_, least_;
   Index h_ = -1, a_ = -1, b_ = -1, c_ = -1, d_ = -1; // the face
   Index lost_ = -1, from_lost_ = -1, to_lost_ = -1;  // the doublet, half-edges to and from a or c
   Index far_ = -1;                                   // its other neighbour

@@ -25,7 +25,11 @@ namespace internal {
 class Chord_thinning
 {
 public:
-  Chord_thinning(Adaptation_state& s, double limit) : s_(s), limit_(limit), chords_(s), nodes_(s) {}
+  // No face may become longer than `limit` sizes, nor, away from curves, worse than `least`.
+  Chord_thinning(Adaptation_state& s, double limit, double least)
+      : s_(s), limit_(limit), least_(least), chords_(s), nodes_(s)
+  {
+  }
 
   // Returns the number of faces removed.
   std::size_t operator()()
@@ -89,13 +93,13 @@ private:
   bool is_well_shaped(Index f) const
   {
     // smoothing mends what is less good where nodes are free, but hardly beside curves
-    constexpr double least = 0.2, least_beside_curves = 0.35;
+    constexpr double least_beside_curves = 0.35;
     for(Index h = 4 * f; h < 4 * f + 4; ++h)
       if(!is_curve_kept(h)) return false;
     const auto node = [this](Index v) -> const Vertex_record& { return nodes_.node(v); };
     if(is_changed_face_longer(s_.mesh.quad(f), node, limit_)) return false;
     const double quality = changed_face_quality(s_.mesh.quad(f), node);
-    return quality >= (is_held(f) ? least_beside_curves : least) ||
+    return quality >= (is_held(f) ? least_beside_curves : least_) ||
            quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
   }
 
@@ -218,7 +222,7 @@ private:
   }
 
   Adaptation_state& s_;
-  double limit_;
+  double limit_, least_;
   Chord_set chords_;
   Merged_nodes nodes_;
   std::vector<int> faces_; // of each node afterwards
@@ -237,13 +241,13 @@ inline void smooth_plainly(Adaptation_state& s)
 }
 
 // Removes chords as long as that takes many faces, until the mesh has no more than `enough`, and no
-// face about them is longer than `limit` sizes.
-inline void thin_by_chords(Adaptation_state& s, double limit, Index enough)
+// face about them is longer than `limit` sizes or, away from curves, worse than `least`.
+inline void thin_by_chords(Adaptation_state& s, double limit, double least, Index enough)
 {
   constexpr double few = 0.15, many = 0.3; // of the faces that are left
   s.restless.assign(s.mesh.vertex_end(), 0);
   for(bool again = true; again && s.mesh.number_of_faces() > enough;) {
-    const double removed = double(Chord_thinning(s, limit)());
+    const double removed = double(Chord_thinning(s, limit, least)());
     if(removed > many * double(s.mesh.number_of_faces())) smooth_plainly(s);
     again = removed > few * double(s.mesh.number_of_faces());
   }

@@ -29,12 +29,13 @@ namespace internal {
 class Face_thinning
 {
 public:
-  explicit Face_thinning(Adaptation_state& s) : s_(s) {}
+  // Away from curves no face may become worse than `least`.
+  Face_thinning(Adaptation_state& s, double least) : s_(s), least_(least) {}
 
   // Closes faces as long as none about a new node is longer than `limit` sizes; returns how many.
   std::size_t pass(double limit)
   {
-    Quick_close close(s_, limit);
+    Quick_close close(s_, limit, least_);
     std::size_t closed = 0, seen = 0;
     for(const auto& candidate : candidates(limit)) {
       if(seen++ % 4096 == 0) s_.check_cancelled();
@@ -82,6 +83,7 @@ private:
   }
 
   Adaptation_state& s_;
+  double least_;
 };
 
 // Four times as many faces as the sizes ask for, or more: what is done now will hardly be seen in
@@ -101,24 +103,34 @@ inline bool is_rich_in_curves(const Adaptation_state& s)
   return double(edges) > many * mean_square_ratio(s) * double(s.mesh.number_of_faces());
 }
 
-// Closes faces until those that are left have up to `share` of their size, or there are no more
-// than `enough`; in steps, so that the mesh stays even, the last as long as it closes many.
-inline std::size_t thin_by_faces(Adaptation_state& s, double share, Index enough)
+// How far faces are closed.
+struct Thinning_limits
+{
+  double share;  // of its size, for the largest face
+  double least;  // quality away from curves
+  bool to_limit; // the last pass is repeated as long as it closes many
+};
+
+// Closes faces until those that are left have up to a share of their size, or there are no more
+// than `enough`; in steps, so that the mesh stays even.
+inline std::size_t thin_by_faces(Adaptation_state& s, const Thinning_limits& o, Index enough)
 {
   constexpr double step = 1.4, many = 0.1;
   const double now = std::sqrt(mean_square_ratio(s));
-  double limit = share;
+  double limit = o.share;
   while(limit > 1.7 * now) limit /= step;
   s.restless.assign(s.mesh.vertex_end(), 0);
-  Face_thinning thinning(s);
+  Face_thinning thinning(s, o.least);
   std::size_t total = 0;
-  while(limit < 1.01 * share && s.mesh.number_of_faces() > enough) {
+  while(limit < 1.01 * o.share && s.mesh.number_of_faces() > enough) {
     const std::size_t closed = thinning.pass(limit);
     total += closed;
     s.forget_faces();
     smooth_plainly(s);
-    const bool is_last = limit * step > 1.01 * share;
-    if(!is_last || double(closed) < many * double(s.mesh.number_of_faces())) limit *= step;
+    const bool is_last = limit * step > 1.01 * o.share;
+    const bool again =
+        o.to_limit && is_last && double(closed) >= many * double(s.mesh.number_of_faces());
+    if(!again) limit *= step;
   }
   return total;
 }
@@ -140,20 +152,26 @@ inline bool is_regular(const Adaptation_state& s)
 // with rows nearly wide enough left to `look_closer`.  Faces are closed where chords run astray or
 // too few can go.  That leaves curves as they are; where much depends on these the search for
 // operations has to do it.
+//
+// With dozens of times as many faces as wanted it goes up to the full size, and worse shapes will
+// do: the search for operations would remove the rest at ten times the price.
 template <typename Look_closer>
 void thin_out(Adaptation_state& s, const Look_closer& look_closer)
 {
-  const bool is_quick = !is_distance_limited(s) && is_far_too_fine(s);
+  constexpr double dozens = 30;
+  const bool is_quick = !is_distance_limited(s) && is_far_too_fine(s),
+             is_rough = is_quick && dozens * mean_square_ratio(s) < 1;
   if(is_quick) {
     const Index before = s.mesh.number_of_faces();
-    thin_by_chords(s, 0.7, large_part(s));
+    thin_by_chords(s, 0.7, is_rough ? 0.2 : 0.35, large_part(s));
     s.disturb_all();
     if(s.mesh.number_of_faces() < before) renumber_by_place(s);
   }
   const bool is_rich = is_quick && is_rich_in_curves(s);
   if(!is_quick || is_rich || !is_far_too_fine(s) || is_regular(s)) look_closer();
   if(!is_quick || is_rich || !is_far_too_fine(s)) return;
-  thin_by_faces(s, 1, large_part(s));
+  const Thinning_limits fine = { 0.7, 0.3, false }, rough = { 1, 0.2, true };
+  thin_by_faces(s, is_rough ? rough : fine, large_part(s));
   renumber_by_place(s);
 }
 
