@@ -133,7 +133,8 @@ std::string papers_row(const Case& c, double ideal_number_of_faces)
 
 const char* const heading =
     "# Quality of adapted meshes\n\n"
-    "Written by `scripts/quality_table.sh`. f_s is a face's mean edge length over the size at\n"
+    "Written by `scripts/quality_table.sh --long`. f_s is a face's mean edge length over the size "
+    "at\n"
     "its centre, f_strict over the smaller of that and the inverse root mean square of the size\n"
     "at the 2 x 2 Gauss points. Efficiency is the integral of 1/h^2 over the surface, over the\n"
     "number of faces. *Default* and *paper* are the two schedules of this package, *as published*\n"

@@ -91,7 +91,7 @@ int run(const Options& options)
   if(exit_code != 0) return exit_code;
   if(!options.is_quiet) print_report(std::cout, report);
   if(report.status == QMA::Adaptation_status::sizes_met) return exit_sizes_met;
-  return refuse("the sizes were not met: " + report.message, exit_sizes_not_met);
+  return refuse("not all that was asked for is met: " + report.message, exit_sizes_not_met);
 }
 
 int main(int argc, char** argv)

@@ -177,7 +177,7 @@ expect 0 '' --version
 
 # a valid mesh, sizes not met
 rm -f out.off
-expect 3 'not met' plate.off out.off --size 0.01 --schedule paper --max-iterations 1 \
+expect 3 'not all' plate.off out.off --size 0.01 --schedule paper --max-iterations 1 \
   --report report.json --quiet
 wrote out.off
 grep -q '"status": "sizes_not_met"' report.json || fail "report.json does not say sizes_not_met"
@@ -215,7 +215,7 @@ for size in nan NaN inf -inf 0 -1 1e999; do
   expect 1 'not a positive finite' plate.off out.off --size "$size"
 done
 for size in abc 1x '' '1 2'; do
-  expect 1 'not a number' plate.off out.off --size "$size"
+  expect 2 'not a number' plate.off out.off --size "$size"
 done
 for expression in 'x - x' '-1' 'x - 2' 'sqrt(-1 - x)' '1 / (x - x)' '0 / (x - x)' 'ln(x)'; do
   expect 1 'size' plate.off out.off --size-function "$expression" --report report.json
@@ -254,6 +254,15 @@ expect 2 'must end in' plate.off out.stl --size 1
 expect 2 'must end in' plate.off out.off --size 1 --picture picture.gif
 expect 2 'twice' plate.off out.off --size 1 --report out.off
 expect 2 'twice' plate.off out.off --size 1 --report plate.off
+expect 2 'twice' plate.off out.off --size 1 --report ./plate.off
+expect 2 'twice' plate.off out.off --size 1 --report "$PWD/out.off"
+ln -s plate.off link.off
+expect 2 'twice' plate.off out.off --size 1 --report link.off
+rm link.off
+for option in --background --reference --report --picture; do
+  expect 2 'empty' plate.off out.off --size 1 $option ""
+done
+expect 2 'empty' "" out.off --size 1
 expect 2 'schedule' plate.off out.off --size 1 --schedule fast
 expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle -3
 expect 2 'feature-angle' plate.off out.off --size 1 --feature-angle wide

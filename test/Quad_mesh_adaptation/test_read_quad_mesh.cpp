@@ -30,6 +30,30 @@ TEST(ReadQuadMesh, ReadsOffWithCommentsCountsOnFirstLineAndWindowsLineEnds)
   EXPECT_EQ(mesh.point(Mesh::Vertex_index(4)), Kernel::Point_3(1, 1, 0));
 }
 
+TEST(ReadQuadMesh, PassesOverTheMarkOfUtf8)
+{
+  Mesh mesh;
+  const Read_result result =
+      read_text(".off", "\xEF\xBB\xBFOFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", mesh);
+  ASSERT_TRUE(result.ok()) << result.message;
+  EXPECT_EQ(mesh.number_of_faces(), 1u);
+}
+
+TEST(ReadQuadMesh, TellsOfCoincidentVertices)
+{
+  Mesh mesh;
+  const Read_result result =
+      read_text(".off",
+                "OFF\n8 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n"
+                "4 0 1 2 3\n4 4 5 6 7\n",
+                mesh);
+  ASSERT_TRUE(result.ok()) << result.message;
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_EQ(result.notes[0].find("2 vertices have the coordinates of others"), 0u)
+      << result.notes[0];
+  EXPECT_EQ(mesh.number_of_edges(), 8u);
+}
+
 TEST(ReadQuadMesh, ReadsObjWithSlashesNegativeNumbersAndContinuedLines)
 {
   Mesh mesh;

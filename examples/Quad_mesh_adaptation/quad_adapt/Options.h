@@ -73,6 +73,36 @@ inline CLI::Validator number_from(double low, double high = std::numeric_limits<
       "");
 }
 
+// Of a name: a variable that is not set would go unnoticed.
+inline CLI::Validator not_empty()
+{
+  return CLI::Validator(
+      [](std::string& text) { return text.empty() ? "the name is empty" : std::string(); }, "");
+}
+
+// The same for all names of a file, as far as the file system can tell.
+inline std::string name_of_file(const std::string& name)
+{
+  std::error_code error;
+  std::filesystem::path path = std::filesystem::absolute(name, error);
+  if(!error) path = std::filesystem::weakly_canonical(path, error);
+  return error ? name : path.string();
+}
+
+// Throws CLI::ValidationError where an output would take the place of another file; but the mesh
+// may be adapted in place.
+inline void check_files(const Options& options)
+{
+  std::set<std::string> names;
+  for(const std::string& file : { options.input, options.reference, options.background })
+    if(!file.empty()) names.insert(name_of_file(file));
+  if(name_of_file(options.output) == name_of_file(options.input))
+    names.erase(name_of_file(options.input));
+  for(const std::string& file : { options.output, options.report, options.picture })
+    if(!file.empty() && !names.insert(name_of_file(file)).second)
+      throw CLI::ValidationError("OUTPUT, --report, --picture", file + " is named twice");
+}
+
 // Throws CLI::ValidationError where options contradict each other.
 inline void check_options(const Options& options)
 {
@@ -89,12 +119,7 @@ inline void check_options(const Options& options)
   if(options.smallest_size.value_or(0) >
      options.largest_size.value_or(std::numeric_limits<double>::infinity()))
     throw CLI::ValidationError("--min-size", "is larger than --max-size");
-  // the mesh may be adapted in place, all other files must differ
-  std::set<std::string> names = { options.input, options.reference, options.background };
-  if(options.output == options.input) names.erase(options.input);
-  for(const std::string& file : { options.output, options.report, options.picture })
-    if(!file.empty() && !names.insert(file).second)
-      throw CLI::ValidationError("OUTPUT, --report, --picture", file + " is named twice");
+  check_files(options);
 }
 
 inline void describe_sizes(CLI::App& app, Options& options)
@@ -126,12 +151,14 @@ inline void describe_sizes(CLI::App& app, Options& options)
   sizes
       ->add_option("--background", options.background,
                    "Mesh whose vertices have a property \"size\", interpolated")
-      ->type_name("FILE.ply");
+      ->type_name("FILE.ply")
+      ->check(not_empty());
   sizes->require_option(1, 0);
-  app.add_option("--min-size", options.smallest_size, "No edge is to be shorter than this")
+  app.add_option("--min-size", options.smallest_size,
+                 "Sizes below H are raised to H; edges come out somewhat shorter")
       ->type_name("H")
       ->check(number_from(0));
-  app.add_option("--max-size", options.largest_size, "No edge is to be longer than this")
+  app.add_option("--max-size", options.largest_size, "Sizes above H are lowered to H")
       ->type_name("H")
       ->check(number_from(0));
   app.add_option("--gradation", options.gradation,
@@ -145,7 +172,8 @@ inline void describe_surface(CLI::App& app, Options& options)
 {
   app.add_option("--reference", options.reference,
                  "Finer surface to stay on; its border and creases are the curves [INPUT]")
-      ->type_name("SURFACE");
+      ->type_name("SURFACE")
+      ->check(not_empty());
   app.add_flag("--smooth-reference", options.is_smooth,
                "Stay on the smooth surface through the vertices instead of on the facets");
   app.add_option("--max-distance", options.max_distance,
@@ -178,7 +206,7 @@ inline void describe_course(CLI::App& app, Options& options)
       ->check(CLI::IsMember({ "not-larger", "nearest" }))
       ->capture_default_str();
   app.add_flag("--no-symmetry", options.may_lose_symmetry, "Do not keep mirror symmetry");
-  app.add_option("--max-iterations", options.max_iterations, "Passes at most")
+  app.add_option("--max-iterations", options.max_iterations, "Passes of refinement at most")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -192,7 +220,9 @@ inline void describe_course(CLI::App& app, Options& options)
 
 inline void describe_options(CLI::App& app, Options& options)
 {
-  app.add_option("INPUT", options.input, "Quad mesh to adapt (.off, .obj, .ply)")->required();
+  app.add_option("INPUT", options.input, "Quad mesh to adapt (.off, .obj, .ply)")
+      ->required()
+      ->check(not_empty());
   app.add_option("OUTPUT", options.output,
                  "Where to write the adapted mesh (.off, .obj, .ply, .vtk, .vtu)")
       ->required();
@@ -200,10 +230,12 @@ inline void describe_options(CLI::App& app, Options& options)
   describe_surface(app, options);
   describe_course(app, options);
   app.add_option("--report", options.report, "Write what was done and measured, as JSON")
-      ->type_name("FILE.json");
+      ->type_name("FILE.json")
+      ->check(not_empty());
   app.add_option("--picture", options.picture,
                  "Draw the initial mesh, the sizing function and the adapted mesh")
-      ->type_name("FILE.svg");
+      ->type_name("FILE.svg")
+      ->check(not_empty());
   app.add_flag("--quiet", options.is_quiet, "Print nothing but errors");
   app.set_version_flag("--version", "quad_adapt " QUAD_MESH_ADAPTATION_VERSION);
   app.footer(
@@ -217,10 +249,11 @@ inline void describe_options(CLI::App& app, Options& options)
       "  quad_adapt dam.off finer.off --size 0.5 --region \"hypot(x - 3, y) < 2\"\n"
       "  quad_adapt part.obj coarse.obj --size 2.5 --reference part_fine.ply --picture part.svg\n"
       "Exit codes:\n"
-      "  0    the mesh was written, all sizes are met\n"
+      "  0    the mesh was written, all sizes are met, and --max-distance\n"
       "  1    input or sizes refused, or an output cannot be written: nothing was written\n"
       "  2    wrong usage\n"
-      "  3    a valid mesh was written, but some faces are larger than asked\n"
+      "  3    a valid mesh was written, but some faces are larger than asked, or farther\n"
+      "       from the surface than --max-distance\n"
       "  130  interrupted, nothing was written");
 }
 

@@ -47,7 +47,7 @@ inline int read_number(const std::string& text, Size_function& size)
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if(text.find_first_not_of(" \t") == std::string::npos || *end != 0)
-    return refuse("--size: \"" + text + "\" is not a number");
+    return refuse("--size: \"" + text + "\" is not a number", exit_wrong_usage);
   if(!(value > 0) || !std::isfinite(value))
     return refuse("--size: " + text + " is not a positive finite length");
   size = [value](const Point&) { return value; };

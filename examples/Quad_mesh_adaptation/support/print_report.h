@@ -147,8 +147,8 @@ inline void print_report(std::ostream& out,
       out << format("Faces expected beforehand %.0f\n", report.expected_number_of_faces);
   }
   for(const std::string& sentence : report.advice) out << "Note: " << sentence << '\n';
-  out << "Result " << name_of(report.status) << " after " << report.iterations
-      << (report.iterations == 1 ? " iteration" : " iterations");
+  out << "Result " << name_of(report.status) << ", " << report.iterations
+      << (report.iterations == 1 ? " pass" : " passes") << " of refinement";
   if(!report.message.empty()) out << ": " << report.message;
   out << '\n';
 }

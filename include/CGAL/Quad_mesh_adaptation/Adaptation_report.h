@@ -69,7 +69,9 @@ struct Adaptation_report
   /// (a vertex or a face, as `message` says); -1 when no single entity is to blame.
   long entity = -1;
 
-  Mesh_measures before, after; ///< filled unless the input was refused
+  /// Of the input, with its nodes on the reference if there is a separate one, and of the result;
+  /// filled unless the call was refused.
+  Mesh_measures before, after;
   /// What the formula of `expected_number_of_faces()` says, made before the work; where that
   /// function adapts a copy and counts, it is nearer to the outcome.  `adapt_quad_mesh()` with the
   /// default schedule only, otherwise 0.
@@ -78,7 +80,7 @@ struct Adaptation_report
   Size_growth size_growth;
   /// Sentences for a person on what could be asked for better, no errors; without final full stop.
   std::vector<std::string> advice;
-  std::size_t iterations = 0; ///< passes of the driver's loop
+  std::size_t iterations = 0; ///< passes of refinement; none where all else was enough
   std::vector<Operation_count> operations;
   std::vector<Phase_time> times;
   /// Faces larger than asked at the end, as positions in the iteration order of the mesh's faces.

@@ -74,7 +74,7 @@ public:
     const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                          get_const_property_map(vertex_point, mesh));
     using Point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
-    internal::Quad_arrays arrays = internal::quad_arrays(mesh, points);
+    internal::Quad_arrays arrays = internal::quad_arrays(mesh, points, "Graded_sizing_field");
     for(const Vec& p : arrays.points)
       if(!internal::is_finite(p))
         throw std::invalid_argument("Graded_sizing_field: a coordinate is not finite");

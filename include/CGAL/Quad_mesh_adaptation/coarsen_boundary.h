@@ -18,6 +18,7 @@ topology, stays.  Complexity: a scan of the boundary and the chords removed.
 
 All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
 mesh is valid after the call, and unchanged where it is refused or cancelled.
+`number_of_iterations()` does not matter.
 */
 template <typename SizingField, typename QuadMesh,
           typename NamedParameters = parameters::Default_named_parameters>

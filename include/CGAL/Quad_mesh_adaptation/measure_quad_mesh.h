@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <vector>
@@ -28,8 +29,9 @@ struct Quad_arrays
   std::vector<Quad> quads;
 };
 
+// Exceptions are in the name of `who`.
 template <class QuadMesh, class VertexPointMap>
-Quad_arrays quad_arrays(const QuadMesh& mesh, const VertexPointMap& point_map)
+Quad_arrays quad_arrays(const QuadMesh& mesh, const VertexPointMap& point_map, const char* who)
 {
   using Vertex = typename boost::graph_traits<QuadMesh>::vertex_descriptor;
   Quad_arrays a;
@@ -46,7 +48,7 @@ Quad_arrays quad_arrays(const QuadMesh& mesh, const VertexPointMap& point_map)
       if(corner < 4) q[corner] = number.at(v);
       ++corner;
     }
-    if(corner != 4) throw std::invalid_argument("measure_quad_mesh: a face is not a quad");
+    if(corner != 4) throw std::invalid_argument(std::string(who) + ": a face is not a quad");
     a.quads.push_back(q);
   }
   return a;
@@ -93,7 +95,7 @@ Mesh_measures measure_quad_mesh(const QuadMesh& mesh, const SizingField& sizing,
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_const_property_map(vertex_point, mesh));
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
-  const internal::Quad_arrays a = internal::quad_arrays(mesh, point_map);
+  const internal::Quad_arrays a = internal::quad_arrays(mesh, point_map, "measure_quad_mesh");
   return internal::measure(a.points, a.quads, internal::checked_size<Point>(sizing));
 }
 

@@ -14,6 +14,8 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -21,6 +23,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -86,6 +89,21 @@ bool fill_mesh(const Polygon_soup& soup, Mesh& mesh)
   return true;
 }
 
+// Tells of vertices with the coordinates of others, where a surface may be open unexpectedly.
+inline void note_coincident(const Polygon_soup& soup, std::vector<std::string>& notes)
+{
+  std::vector<Vec> points = soup.points;
+  std::sort(points.begin(), points.end(), [](const Vec& p, const Vec& q) {
+    return std::make_tuple(p.x(), p.y(), p.z()) < std::make_tuple(q.x(), q.y(), q.z());
+  });
+  std::size_t n = 0;
+  for(std::size_t i = 1; i < points.size(); ++i) n += points[i] == points[i - 1];
+  if(n == 0) return;
+  notes.push_back(std::to_string(n) + (n == 1 ? " vertex has" : " vertices have") +
+                  " the coordinates of others; they are not merged, and faces that do not share "
+                  "vertices are not connected");
+}
+
 template <class Mesh>
 Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only)
 {
@@ -96,6 +114,7 @@ Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only)
     std::vector<std::string> notes = std::move(result.notes);
     if(result.ok()) result = check_soup(soup, quads_only);
     result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
+    if(result.ok()) note_coincident(soup, result.notes);
     if(result.ok() && !fill_mesh(soup, mesh)) {
       CGAL::clear(mesh);
       result = refuse(Refusal::non_manifold, "the mesh type cannot hold this surface");
@@ -118,8 +137,8 @@ Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only)
 /// The surface must be an orientable 2-manifold, with or without boundary, of quads that have an
 /// area; it may have several components.  Faces of different orientation are turned (the majority
 /// of each component stays), isolated vertices are left out, both is told in
-/// `Read_result::notes`.  Coincident vertices are *not* merged.  Vertices and faces keep the order
-/// of the file.
+/// `Read_result::notes`.  Coincident vertices are *not* merged, which is told there, too.  Vertices
+/// and faces keep the order of the file.
 ///
 /// \tparam QuadMesh a model of `MutableFaceGraph` with an internal `vertex_point` map whose points
 ///         can be made of three doubles

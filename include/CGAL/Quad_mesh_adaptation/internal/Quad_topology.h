@@ -77,11 +77,6 @@ public:
     return -1;
   }
 
-  bool are_adjacent(Index u, Index v) const
-  {
-    return find_halfedge(u, v) >= 0 || find_halfedge(v, u) >= 0;
-  }
-
 protected:
   std::vector<Index> origin_, opposite_, curve_, patch_;
   std::vector<Vertex_record> vertices_;

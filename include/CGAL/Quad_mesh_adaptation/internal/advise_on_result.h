@@ -33,10 +33,12 @@ inline void advise_on_features(const Adaptation_state& s, Adaptation_report& rep
   }
   if(double(small) <= many * faces || double(beside) < most * double(small)) return;
   std::ostringstream text;
-  text << small << " of " << report.after.faces << " faces are smaller than half their size, "
+  text << small << " of " << report.after.faces << " faces "
+       << (small == 1 ? "is smaller than half its size, " : "are smaller than half their size, ")
        << beside << " of them beside features or the border (" << report.feature_curves
        << " curves, " << report.corners
-       << " corners), which leave no room for larger ones; a larger feature angle detects fewer";
+       << " corners), which leave no room for larger ones; only a larger feature angle would leave "
+          "out some of those that are detected by their angle";
   report.advice.push_back(text.str());
 }
 

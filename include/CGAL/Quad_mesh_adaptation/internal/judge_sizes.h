@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <sstream>
 
 namespace CGAL {
@@ -33,6 +34,7 @@ inline void judge_sizes(Adaptation_report& r, bool paper, Aim aim, std::size_t l
   const Size_ratio_table& t = paper ? r.after.size_ratio : r.after.strict_size_ratio;
   r.status = Adaptation_status::sizes_not_met;
   std::ostringstream text;
+  text << std::setprecision(t.max < 1.001 ? 12 : 6); // by rounding only
   text << large << " of " << all << " faces are "
        << (aim == Aim::nearest ? "more than a factor of sqrt(2) larger than asked"
                                : "larger than asked")

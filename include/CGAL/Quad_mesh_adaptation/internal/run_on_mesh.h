@@ -32,11 +32,11 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // Numbers are 32 bit and memory is finite: better refused at once than after an hour.
-inline void refuse_too_many(double faces)
+inline void refuse_too_many(double faces, const std::string& who = "the sizes ask")
 {
   if(!(faces > 1e8)) return;
   std::ostringstream text;
-  text << "the sizes ask for about " << faces << " faces, more than the limit of 1e8";
+  text << who << " for about " << faces << " faces, more than the limit of 1e8";
   throw Refused{ Refusal::invalid_size, text.str(), -1, -1 };
 }
 
@@ -207,7 +207,8 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     const double ideal = bound.is_asked_for() || frozen.is_any()
                              ? measured_state(s, reference).ideal_number_of_faces
                              : report.before.ideal_number_of_faces;
-    refuse_too_many(ideal);
+    refuse_too_many(report.before.ideal_number_of_faces);
+    refuse_too_many(ideal, "the distance allowed asks");
     if(kind.is_foretold)
       report.expected_number_of_faces =
           expected_faces(s, ideal, report.size_growth.mean_square_slope, scale_of(aim));

@@ -46,7 +46,11 @@ private:
 class Line_scanner
 {
 public:
-  explicit Line_scanner(std::string_view text) : text_(text) {}
+  explicit Line_scanner(std::string_view text) : text_(text)
+  {
+    constexpr std::string_view mark = "\xEF\xBB\xBF"; // that some editors put before UTF-8
+    if(text_.substr(0, mark.size()) == mark) position_ = mark.size();
+  }
 
   /// Moves to the next line with a word on it; `false` at the end of the text.
   bool next(std::string_view& line)
