@@ -371,6 +371,21 @@ TEST(Distance, LargestIsThatOfAllPointsOneByOne)
   }
 }
 
+// Where edges are shorter than those of the border there is a node at each bend of it, which costs
+// no faces, however small the bound.
+TEST(Distance, BendsOfABorderAskForNoFaces)
+{
+  const auto shape = shape_zoo::disk(2, 2);
+  const double h = 0.5 * zoo_mesh::mean_edge(shape);
+  auto free = zoo_mesh::make<Mesh, Point>(shape), bound = free;
+  const auto without = QMA::adapt_quad_mesh(h, free),
+             with = QMA::adapt_quad_mesh(h, bound, QMA::max_distance(1e-4 * h));
+  ASSERT_EQ(with.status, QMA::Adaptation_status::sizes_met) << with.message;
+  EXPECT_LE(with.after.mesh_to_reference, 1e-4 * h);
+  EXPECT_LE(with.after.reference_to_mesh, 1e-4 * h);
+  EXPECT_LE(double(with.after.faces), 2 * double(without.after.faces));
+}
+
 TEST(Distance, BoundIsMetOrTheFacesAreNamed)
 {
   const Mesh reference = zoo_mesh::make<Mesh, Point>(more_shapes::sphere(60));

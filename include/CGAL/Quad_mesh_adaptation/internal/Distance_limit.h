@@ -137,16 +137,20 @@ private:
     }
   };
 
-  // Turn per length at every point of the polyline.
+  // By the turn per length at every point of the polyline; but edges clearly shorter than its own
+  // get a node there, see Curve_bends.
   void bound_on_curve(const Feature_curve& c)
   {
+    constexpr double clearly_shorter = 0.6;
     const std::vector<Vec>& p = c.points();
     const std::size_t n = p.size() - 1;
     for(std::size_t i = c.is_closed() ? 0 : 1; i < n; ++i) {
       const Vec a = p[i] - p[i == 0 ? n - 1 : i - 1], b = p[i + 1] - p[i];
       const double turn = angle_between(a, b);
       if(turn < 1e-9) continue;
-      const double side = (norm(a) + norm(b)) / 2, h = size_for(turn / side, side);
+      const double side = (norm(a) + norm(b)) / 2,
+                   with_node = clearly_shorter * (std::min)(norm(a), norm(b)),
+                   h = (std::max)(size_for(turn / side, side), with_node);
       for(Index v : surface_.triangles()[triangle_at(p[i])]) limit_[v] = (std::min)(limit_[v], h);
     }
   }
