@@ -41,7 +41,7 @@ QMA::Size_growth growth_of(const std::function<double(const Point&)>& size, int 
 {
   const Mesh mesh = plate(n);
   const QMA::internal::Quad_arrays a =
-      QMA::internal::quad_arrays(mesh, get(CGAL::vertex_point, mesh));
+      QMA::internal::quad_arrays(mesh, get(CGAL::vertex_point, mesh), "test");
   return QMA::internal::measure_size_growth(a.points, a.quads,
                                             QMA::internal::checked_size<Point>(size));
 }
