@@ -69,8 +69,8 @@ struct Adaptation_report
   /// (a vertex or a face, as `message` says); -1 when no single entity is to blame.
   long entity = -1;
 
-  /// Of the input, with its nodes on the reference if there is a separate one, and of the result;
-  /// filled unless the call was refused.
+  /// Of the input, with its nodes on the reference if there is a separate one; filled unless the
+  /// input was refused.  Of the result; filled where `has_valid_mesh()`.
   Mesh_measures before, after;
   /// What the formula of `expected_number_of_faces()` says, made before the work; where that
   /// function adapts a copy and counts, it is nearer to the outcome.  `adapt_quad_mesh()` with the

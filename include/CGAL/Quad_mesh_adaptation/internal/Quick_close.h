@@ -184,16 +184,10 @@ private:
     double before = 2; // above any
     return are_all([&](const Quad& q) {
       const double quality = changed_face_quality(q, node_of);
-      if(quality >= (is_held(q) ? least_beside_curves : least_)) return true;
+      if(quality >= (is_changed_face_held(q, node_of) ? least_beside_curves : least_)) return true;
       if(before > 1) before = worst_before();
       return quality >= before;
     });
-  }
-
-  bool is_held(const Quad& q) const
-  {
-    return std::any_of(q.begin(), q.end(),
-                       [this](Index v) { return s_.mesh.vertex(v).carrier != Carrier::surface; });
   }
 
   double worst_before() const

@@ -6,6 +6,8 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
@@ -21,6 +23,14 @@ bool is_changed_face_longer(const Quad& q, const Node_of& node, double limit)
     around += distance(r.p, node(q[(i + 1) & 3]).p);
   }
   return around > limit * sizes;
+}
+
+// Does it have nodes that are on curves or must not move?  Smoothing hardly mends it then.
+template <typename Node_of>
+bool is_changed_face_held(const Quad& q, const Node_of& node)
+{
+  return std::any_of(q.begin(), q.end(),
+                     [&](Index v) { return node(v).carrier != Carrier::surface; });
 }
 
 // Quality of the face q with its nodes as node(v) has them.

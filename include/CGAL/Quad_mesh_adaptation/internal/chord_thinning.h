@@ -97,17 +97,11 @@ private:
     for(Index h = 4 * f; h < 4 * f + 4; ++h)
       if(!is_curve_kept(h)) return false;
     const auto node = [this](Index v) -> const Vertex_record& { return nodes_.node(v); };
-    if(is_changed_face_longer(s_.mesh.quad(f), node, limit_)) return false;
-    const double quality = changed_face_quality(s_.mesh.quad(f), node);
-    return quality >= (is_held(f) ? least_beside_curves : least_) ||
-           quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
-  }
-
-  bool is_held(Index f) const
-  {
     const Quad q = s_.mesh.quad(f);
-    return std::any_of(q.begin(), q.end(),
-                       [this](Index v) { return nodes_.node(v).carrier != Carrier::surface; });
+    if(is_changed_face_longer(q, node, limit_)) return false;
+    const double quality = changed_face_quality(q, node);
+    return quality >= (is_changed_face_held(q, node) ? least_beside_curves : least_) ||
+           quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
   }
 
   // An edge of a closed curve stands for the shorter way round.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Plane inputs with nodes that have crossed others: what is tangled is no shape to be kept.
+// Inputs with nodes that have crossed others: what is tangled is no shape to be kept.
 
 #include "support/zoo_mesh.h"
 
