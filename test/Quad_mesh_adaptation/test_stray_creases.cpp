@@ -74,8 +74,11 @@ std::size_t inner_feature_edges(const Adaptation_state& s)
 std::size_t edges_turning(const Adaptation_state& s, double degrees)
 {
   std::size_t count = 0;
-  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h)
-    if(s.mesh.opposite(h) > h && core::turn_across(s, h) * 180 / std::acos(-1.) > degrees) ++count;
+  const auto area = [&](Index h) { return core::area_vector(s.corners(s.mesh.face(h))); };
+  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h) {
+    const Index o = s.mesh.opposite(h);
+    if(o > h && core::angle_between(area(h), area(o)) * 180 / std::acos(-1.) > degrees) ++count;
+  }
   return count;
 }
 

@@ -14,10 +14,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
@@ -199,6 +201,61 @@ TEST(Tangled_surface, NodesAstray)
       EXPECT_EQ(report.feature_curves, 0u);
       EXPECT_GE(report.after.min_scaled_jacobian, 0.45);
     }
+}
+
+// Swaps the places of two opposite corners of a quad, which lies upside down then.
+void turn_over(Shape& shape, std::size_t f)
+{
+  const auto& q = shape.quads[f];
+  std::swap(shape.points[q[1]], shape.points[q[3]]);
+}
+
+TEST(Tangled_surface, QuadsTurnedOver)
+{
+  const Shape smooth = shape_zoo::torus(48, 24);
+  for(unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Shape shape = smooth;
+    std::mt19937 random(seed);
+    for(int k = 0; k < 4; ++k) turn_over(shape, random() % smooth.quads.size());
+    Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
+    const Adaptation_report report = QMA::adapt_quad_mesh(zoo_mesh::mean_edge(smooth), mesh);
+    ASSERT_TRUE(report.has_valid_mesh()) << report.message;
+    zoo_mesh::expect_valid(mesh, mesh_checks::facts_of(shape.points, shape.quads));
+    EXPECT_TRUE(is_told_of(report));
+    EXPECT_EQ(report.feature_curves, 0u);
+    EXPECT_GE(report.after.min_scaled_jacobian, 0.45);
+  }
+}
+
+// Nor do they hide the creases beside them.
+TEST(Tangled_surface, QuadsTurnedOverBesideCreases)
+{
+  const Shape cube = shape_zoo::cube(n);
+  std::size_t turned = 0;
+  for(std::size_t f = 0; f < cube.quads.size(); f += 31) {
+    const auto inside = [&](auto v) { // of a side of the cube
+      const Vec& p = cube.points[v];
+      int free = 0;
+      for(int i = 0; i < 3; ++i) free += p[i] > 0.5 && p[i] < n - 0.5;
+      return free == 2;
+    };
+    const auto& q = cube.quads[f];
+    if(!std::all_of(q.begin(), q.end(), inside)) continue;
+    SCOPED_TRACE("face " + std::to_string(f));
+    ++turned;
+    Shape shape = cube;
+    turn_over(shape, f);
+    Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
+    const Adaptation_report report = QMA::adapt_quad_mesh(0.8, mesh);
+    ASSERT_TRUE(report.has_valid_mesh()) << report.message;
+    EXPECT_TRUE(is_told_of(report));
+    EXPECT_EQ(report.feature_curves, 12u);
+    EXPECT_EQ(report.corners, 8u);
+    EXPECT_EQ(report.patches, 6u);
+    EXPECT_GE(report.after.min_scaled_jacobian, 0.45);
+  }
+  EXPECT_GT(turned, 3u);
 }
 
 // A plane without tangles is nothing to speak of.

@@ -91,6 +91,8 @@ struct Adaptation_state : Run_record, Face_caches
                            (std::max)(wanted_size(f), face_floor(f)));
   }
 
+  std::size_t turned_faces = 0; // of a curved input: upside down, in tangles
+
   // Where only a part of the mesh is to be worked on: its nodes; new ones belong to it.
   std::vector<char> region;
 

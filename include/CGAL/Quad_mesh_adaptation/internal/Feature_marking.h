@@ -11,6 +11,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 #include <CGAL/Quad_mesh_adaptation/internal/tangled_nodes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/turned_faces.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,19 +23,11 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// The turn of the surface across the edge of h, in radians; none on the border.
-inline double turn_across(const Adaptation_state& s, Index h)
-{
-  const Index o = s.mesh.opposite(h);
-  if(o < 0) return 0;
-  const Vec a = area_vector(s.corners(s.mesh.face(h))), b = area_vector(s.corners(s.mesh.face(o)));
-  return angle_between(a, b);
-}
-
 // The mesh of a state for `Stray_creases`; features are the edges with a curve number.
 struct State_with_creases
 {
   Adaptation_state& state;
+  const std::vector<Vec>& areas; // of the faces, as vectors
 
   Index vertex_end() const { return state.mesh.vertex_end(); }
   Index halfedge_end() const { return 4 * state.mesh.face_end(); }
@@ -44,10 +37,14 @@ struct State_with_creases
   Index target(Index h) const { return state.mesh.target(h); }
   Index opposite(Index h) const { return state.mesh.opposite(h); }
   Index across(Index h) const { return Quad_complex::next(Quad_complex::next(h)); }
-  double turn(Index h) const { return turn_across(state, h); }
+  double turn(Index h) const // none on the border
+  {
+    const Index o = opposite(h);
+    return o < 0 ? 0. : angle_between(areas[face(h)], areas[face(o)]);
+  }
   const Vec& point(Index v) const { return state.mesh.point(v); }
   double length(Index h) const { return distance(point(origin(h)), point(target(h))); }
-  Vec area_vector(Index f) const { return internal::area_vector(state.corners(f)); }
+  const Vec& area_vector(Index f) const { return areas[f]; }
   bool is_feature(Index h) const { return state.mesh.curve(h) >= 0; }
   void forget(Index h) { state.mesh.set_curve(h, -1); }
   bool is_held(Index v) const { return state.mesh.vertex(v).frozen; }
@@ -79,25 +76,17 @@ public:
     std::optional<Reference_creases> creases;
     std::optional<Crease_lookup> known;
     if(reference) known.emplace(creases.emplace(*reference, cos_, off_));
-    std::vector<Area> areas;
+    std::vector<Vec> areas;
     areas.reserve(m.face_end());
-    for(Index f = 0; f < m.face_end(); ++f) areas.emplace_back(area_vector(s_.corners(f)));
-    std::vector<char> detected;
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(m.curve(h) >= 0 || m.opposite(h) < h) continue;
-      if(!turns(areas[m.face(h)], areas[m.face(m.opposite(h))])) continue;
-      if(known && !known->runs_along(m.point(m.origin(h)), m.point(m.target(h)))) continue;
-      m.set_curve(h, 0);
-      detected.resize(4 * std::size_t(m.face_end()), 0);
-      detected[h] = detected[m.opposite(h)] = 1;
-    }
+    for(Index f = 0; f < m.face_end(); ++f) areas.push_back(area_vector(s_.corners(f)));
+    std::vector<char> detected = detect_creases(areas, known);
     if(detected.empty()) return; // nor is any of these a stray one
-    State_with_creases surface{ s_ };
-    if(is_in_plane(areas)) {
-      set_curves(detected, -1);
-      if(is_plane()) return; // its creases are tangles
-      set_curves(detected, 0);
-    }
+    set_curves(detected, -1);
+    if(is_in_plane(areas) && is_plane()) return; // its creases are tangles
+    if(turn_back(areas)) detected = detect_creases(areas, known);
+    if(detected.empty()) return;
+    set_curves(detected, 0);
+    State_with_creases surface{ s_, areas };
     Tangled_nodes<State_with_creases>(surface, detected, cos_)();
     Stray_creases<State_with_creases>(surface, detected)();
   }
@@ -127,17 +116,40 @@ public:
     }
   }
 
-private:
-  struct Area // of a face
-  {
-    Vec vector;
-    double norm;
-    explicit Area(const Vec& v) : vector(v), norm(internal::norm(v)) {}
-  };
+  // Faces that lie upside down in tangles, after edges are marked.
+  const std::vector<Index>& turned() const { return turned_; }
 
-  bool turns(const Area& a, const Area& b) const
+private:
+  // By half-edge, empty if there are none.
+  std::vector<char> detect_creases(const std::vector<Vec>& areas,
+                                   const std::optional<Crease_lookup>& known) const
   {
-    return a.vector * b.vector < cos_ * a.norm * b.norm;
+    const Quad_complex& m = s_.mesh;
+    std::vector<double> norms;
+    norms.reserve(areas.size());
+    for(const Vec& a : areas) norms.push_back(norm(a));
+    std::vector<char> detected;
+    for(Index h = 0; h < 4 * m.face_end(); ++h) {
+      const Index o = m.opposite(h);
+      if(m.curve(h) >= 0 || o < h) continue;
+      const Index f = m.face(h), g = m.face(o);
+      if(!(areas[f] * areas[g] < cos_ * norms[f] * norms[g])) continue;
+      if(known && !known->runs_along(m.point(m.origin(h)), m.point(m.target(h)))) continue;
+      detected.resize(4 * std::size_t(m.face_end()), 0);
+      detected[h] = detected[o] = 1;
+    }
+    return detected;
+  }
+
+  // Turns the areas of faces that lie upside down in tangles; are there any?
+  bool turn_back(std::vector<Vec>& areas)
+  {
+    const Turned_faces turned(s_.mesh, areas);
+    if(!turned.is_any()) return false;
+    for(Index f = 0; f < s_.mesh.face_end(); ++f)
+      if(turned.has(f)) turned_.push_back(f);
+    for(Index f : turned_) areas[f] = -areas[f];
+    return true;
   }
 
   void set_curves(const std::vector<char>& where, Index c)
@@ -147,14 +159,14 @@ private:
   }
 
   // Do all points lie in a plane?
-  bool is_in_plane(const std::vector<Area>& areas) const
+  bool is_in_plane(const std::vector<Vec>& areas) const
   {
     constexpr double tolerance = 1e-9;
     const std::vector<Quad>& quads = in_.quads;
     const Vec origin = in_.points[quads[0][0]];
     Vec normal(0, 0, 0);
     double size = 0;
-    for(const Area& a : areas) normal = normal + a.vector;
+    for(const Vec& a : areas) normal = normal + a;
     for(const Quad& q : quads) size = (std::max)(size, distance(in_.points[q[0]], origin));
     normal = normalized(normal);
     return std::all_of(quads.begin(), quads.end(), [&](const Quad& q) {
@@ -192,6 +204,7 @@ private:
   Adaptation_state& s_;
   double cos_;
   bool off_;
+  std::vector<Index> turned_;
 };
 
 } // namespace internal

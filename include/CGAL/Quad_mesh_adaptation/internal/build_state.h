@@ -40,13 +40,14 @@ public:
     Feature_marking mark(in_, cos_, off_, s_);
     mark.mark_edges(geometry.reference);
     mark.mark_corners();
+    s_.turned_faces = mark.turned().size();
     Curve_tracer tracer(in_, s_, geometry.smooth && !geometry.reference);
     tracer();
     number_patches();
     if(geometry.reference)
       use_reference(*geometry.reference, geometry);
     else
-      use_input(tracer.edges(), geometry);
+      use_input(tracer.edges(), geometry, mark.turned());
     s_.curve_lift = geometry.curve_lift;
     place_nodes(!geometry.reference);
     set_ideal_valences();
@@ -112,12 +113,18 @@ private:
     }
   }
 
-  void use_input(const Hermite_edges& edges, const Geometry_options& geometry)
+  // `turned`: faces that lie upside down.
+  void use_input(const Hermite_edges& edges, const Geometry_options& geometry,
+                 const std::vector<Index>& turned)
   {
     s_.surface = Mesh_triangles(s_.mesh).surface(
         true, Normals::kept); // faces have the numbers of the quads still
-    for(std::size_t f = 0; f < in_.quads.size(); ++f)
-      for(Index v : in_.quads[f]) s_.mesh.vertex(v).hint = Index(2 * f); // a triangle next to it
+    const auto hint = [&](Index f) {
+      for(Index v : in_.quads[f]) s_.mesh.vertex(v).hint = 2 * f; // a triangle next to it
+    };
+    std::for_each(turned.begin(), turned.end(), hint);
+    for(Index f = 0; f < Index(in_.quads.size()); ++f)
+      if(!std::binary_search(turned.begin(), turned.end(), f)) hint(f); // better ones
     s_.reference_patch.resize(s_.given_patch.size());
     for(std::size_t f = 0; f < in_.quads.size(); ++f)
       s_.reference_patch[s_.mesh.patch(Index(f))] = s_.surface.patch(Index(2 * f));

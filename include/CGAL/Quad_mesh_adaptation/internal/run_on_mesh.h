@@ -52,19 +52,27 @@ inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s,
   if(!text.empty()) report.advice.push_back(text);
 }
 
-// Tells of faces of a plane that face the other way, since they could be meant to.
-inline void advise_on_tangles(const Adaptation_state& s, Adaptation_report& report)
+// Faces of a plane that face the other way than most of it.
+inline std::size_t number_turned_in_plane(const Adaptation_state& s)
 {
-  if(!s.surface.is_planar()) return;
   const Vec up = s.surface.normal(0);
   std::size_t turned = 0;
   for(Index f = 0; f < s.mesh.face_end(); ++f)
     if(s.mesh.is_face(f) && area_vector(s.corners(f)) * up < 0) ++turned;
+  return turned;
+}
+
+// Tells of faces that lie upside down, since they could be meant to.
+inline void advise_on_tangles(const Adaptation_state& s, Adaptation_report& report)
+{
+  const bool is_plane = s.surface.is_planar();
+  const std::size_t turned = is_plane ? number_turned_in_plane(s) : s.turned_faces;
   if(turned == 0) return;
   const std::string faces = turned == 1 ? " face of the input lies" : " faces of the input lie";
   report.advice.push_back(
-      std::to_string(turned) + faces +
-      " the other way round than most in their plane: that is taken for a tangle, not for a sheet "
+      std::to_string(turned) + faces + " the other way round than " +
+      (is_plane ? "most in their plane" : "those around them") +
+      ": that is taken for a tangle, not for a sheet "
       "that is folded over; mark the edges of the fold as constrained if it is one");
 }
 
