@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # The target `header_checks` compiles every header alone, twice included: it must bring what it
-# uses and guard itself.
+# uses and guard itself.  `public_header_checks` does so with those that users include.
 file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/include/*.h)
 find_package(Eigen3 3.3 QUIET NO_MODULE)
@@ -11,14 +11,23 @@ if(NOT TARGET Eigen3::Eigen)
   list(FILTER headers EXCLUDE REGEX "(Curvature_sizing_field|Fold_curvature|vertex_curvatures)\\.h$")
 endif()
 set(sources "")
+set(public_sources "")
 foreach(header IN LISTS headers)
   string(MAKE_C_IDENTIFIER ${header} name)
   set(source ${PROJECT_BINARY_DIR}/header_checks/${name}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "#include <@header@>\n#include <@header@>\n" @ONLY)
-  list(APPEND sources ${source})
+  if(header MATCHES "/internal/")
+    list(APPEND sources ${source})
+  else()
+    list(APPEND public_sources ${source})
+  endif()
 endforeach()
+add_library(public_header_checks OBJECT ${public_sources})
 add_library(header_checks OBJECT ${sources})
-target_link_libraries(header_checks PRIVATE CGAL::Quad_mesh_adaptation quad_mesh_build_flags
-  $<TARGET_NAME_IF_EXISTS:Eigen3::Eigen>)
-# Only the compiler's front end is of interest.
-target_compile_options(header_checks PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0 -g0>)
+add_dependencies(header_checks public_header_checks)
+foreach(target public_header_checks header_checks)
+  target_link_libraries(${target} PRIVATE CGAL::Quad_mesh_adaptation quad_mesh_build_flags
+    $<TARGET_NAME_IF_EXISTS:Eigen3::Eigen>)
+  # Only the compiler's front end is of interest.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0 -g0>)
+endforeach()

@@ -5,7 +5,7 @@
 # test.sh              installs what is missing, builds the tests in build/release, runs them all
 # test.sh --headers    compiles every header on its own as well
 # test.sh --sanitize   a core of the tests with the address and undefined-behaviour sanitizers
-# test.sh --cgal6      headers, examples and a core of the tests with CGAL 6
+# test.sh --cgal6      public headers, examples and a core of the tests with CGAL 6
 # test.sh --long       more than 1000 random runs instead, an hour or two; QUAD_MESH_SEED repeats them
 
 set -euo pipefail
@@ -32,7 +32,7 @@ for argument in "$@"; do
       ;;
     --cgal6)
       folder=cgal6_tests
-      targets="header_checks examples core_tests"
+      targets="public_header_checks examples core_tests"
       options+=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1
         -DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
       selection=(-L core)
