@@ -124,3 +124,13 @@ TEST(FanThinning, FrozenRim)
   core::thin_fans(s);
   EXPECT_EQ(s.mesh.number_of_faces(), 100);
 }
+
+// Nothing leaves the surface where that is limited.
+TEST(FanThinning, DistanceLimited)
+{
+  Adaptation_state s = state_with_size(growth_shapes::polar_sphere(60, 5), 1);
+  const Index faces = s.mesh.number_of_faces();
+  s.limit_distance(1e-5);
+  core::thin_fans(s);
+  EXPECT_EQ(s.mesh.number_of_faces(), faces);
+}

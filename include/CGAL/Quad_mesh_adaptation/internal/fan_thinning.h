@@ -10,8 +10,10 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Quick_close.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Wedge_set.h>
 #include <CGAL/Quad_mesh_adaptation/internal/chord_thinning.h>
+#include <CGAL/Quad_mesh_adaptation/internal/distance_guard.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -87,9 +89,19 @@ inline std::size_t thin_fans_once(Adaptation_state& s, double limit, double leas
   return std::size_t(before - s.mesh.number_of_faces());
 }
 
+// Of the faces to the reference, where that is limited; else 0.
+inline double largest_distance_if_limited(const Adaptation_state& s)
+{
+  double largest = 0;
+  if(!is_distance_limited(s)) return largest;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) largest = (std::max)(largest, distance_of(s, f));
+  return largest;
+}
+
 // Takes faces out about nodes that have so many that each operation there would look at hundreds,
-// about half of them in each round, as long as the energy falls and the edges opposite stay clearly
-// shorter than wanted.
+// about half of them in each round, as long as the edges opposite stay clearly shorter than wanted.
+// As with any operation the energy falls each time, and no face leaves the surface.
 inline void thin_fans(Adaptation_state& s)
 {
   constexpr double limit = 0.7, least = 0.3;
@@ -97,12 +109,13 @@ inline void thin_fans(Adaptation_state& s)
   if(huge_nodes(s.mesh).empty()) return;
   Phase_scope phase(s, "coarsening");
   double energy = total_energy(s);
+  const double allowed = (std::max)(largest_distance_if_limited(s), s.max_distance);
   for(int round = 0; round < most_rounds; ++round) {
     s.check_cancelled();
     Mesh_keeper mesh(s);
     if(thin_fans_once(s, limit, least) == 0) break;
     const double now = total_energy(s);
-    if(!(now < energy - s.energy.min_gain)) {
+    if(!(now < energy - s.energy.min_gain) || largest_distance_if_limited(s) > allowed) {
       mesh.restore();
       break;
     }
