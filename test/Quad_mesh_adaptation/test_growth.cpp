@@ -150,9 +150,18 @@ TEST(Growth, Huge_valence_refined)
   expect_linear(growth_shapes::fan(1000), growth_shapes::fan(8000), Uniform{ 0.3 }, Refine());
 }
 
-// Not met yet: a node with very many faces is halved, and few chords about it are looked at with
-// care, but each face takes twice the time with eight times as many; it was far more.
-TEST(Growth, DISABLED_Huge_valence_adapted)
+// Far too fine about a node: most faces there go before anything looks at them one by one.
+TEST(Growth, Huge_valence_adapted)
 {
   expect_linear(growth_shapes::fan(30), growth_shapes::fan(240), Uniform{ 2 }, Adapt());
+}
+
+TEST(Growth, Huge_valence_on_the_border_adapted)
+{
+  expect_linear(growth_shapes::half_fan(30), growth_shapes::half_fan(240), Uniform{ 0.5 }, Adapt());
+}
+
+TEST(Growth, Two_huge_valences_adapted)
+{
+  expect_linear(growth_shapes::kites(30), growth_shapes::kites(240), Uniform{ 2 }, Adapt());
 }

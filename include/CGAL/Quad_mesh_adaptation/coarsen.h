@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_COARSEN_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/fan_thinning.h>
 #include <CGAL/Quad_mesh_adaptation/internal/ring_coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
@@ -30,10 +31,12 @@ Adaptation_report coarsen(const SizingField& sizing, QuadMesh& mesh,
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ paper, false, false },
       [&](internal::Adaptation_state& s, Adaptation_report&) {
-        if(paper)
+        if(paper) {
           internal::coarsen_by_rings(s, 1.0, internal::Improvement_options());
-        else
+        } else {
+          internal::thin_fans(s);
           internal::coarsen_relaxed(s, internal::Improvement_options(), 12);
+        }
       });
 }
 

@@ -34,6 +34,72 @@ inline Shape fan(Index n)
   return s;
 }
 
+/// Half of it: n quads about a node of the border.
+inline Shape half_fan(Index n)
+{
+  Shape s{ "half a fan", { Vec(0, 0, 0) }, {} };
+  for(Index i = 0; i <= 2 * n; ++i)
+    s.points.emplace_back(std::cos(pi * i / (2 * n)), std::sin(pi * i / (2 * n)), 0);
+  for(Index i = 0; i < n; ++i) s.quads.push_back({ 0, 2 * i + 1, 2 * i + 2, 2 * i + 3 });
+  return s;
+}
+
+/// Two cones of n kites each that meet in a circle of 2 n nodes; spokes of both lead to it by
+/// turns.
+inline Shape kites(Index n)
+{
+  Shape s{ "kites", { Vec(0, 0, 1), Vec(0, 0, -1) }, {} };
+  const auto id = [n](Index i) { return 2 + i % (2 * n); };
+  for(Index i = 0; i < 2 * n; ++i)
+    s.points.emplace_back(std::cos(pi * i / n), std::sin(pi * i / n), 0);
+  for(Index i = 0; i < 2 * n; i += 2) {
+    s.quads.push_back({ 0, id(i), id(i + 1), id(i + 2) });
+    s.quads.push_back({ 1, id(i + 3), id(i + 2), id(i + 1) });
+  }
+  return s;
+}
+
+/// A fan of n quads with `rings` rings of 2 n quads about it; point j of each ray is `at(j,
+/// angle)`.
+template <typename Place>
+Shape polar(Index n, Index rings, const Vec& centre, const Place& at)
+{
+  Shape s{ "polar", { centre }, {} };
+  const auto id = [n](Index i, Index j) { return 1 + 2 * n * j + i % (2 * n); };
+  for(Index j = 0; j <= rings; ++j)
+    for(Index i = 0; i < 2 * n; ++i) s.points.push_back(at(j, pi * i / n));
+  for(Index i = 0; i < 2 * n; i += 2)
+    s.quads.push_back({ 0, id(i, 0), id(i + 1, 0), id(i + 2, 0) });
+  for(Index j = 0; j < rings; ++j)
+    for(Index i = 0; i < 2 * n; ++i)
+      s.quads.push_back({ id(i, j), id(i, j + 1), id(i + 1, j + 1), id(i + 1, j) });
+  return s;
+}
+
+/// Disk of this kind.
+inline Shape polar_disk(Index n, Index rings)
+{
+  return polar(n, rings, Vec(0, 0, 0), [rings](Index j, double a) {
+    const double r = double(j + 1) / (rings + 1);
+    return Vec(r * std::cos(a), r * std::sin(a), 0);
+  });
+}
+
+/// Sphere of this kind, with a second fan opposite the first.
+inline Shape polar_sphere(Index n, Index rings)
+{
+  Shape s = polar(n, rings, Vec(0, 0, 1), [rings](Index j, double a) {
+    const double b = pi * (j + 1) / (rings + 2);
+    return Vec(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
+  });
+  s.name = "polar sphere";
+  const Index pole = Index(s.points.size()), last = 1 + 2 * n * rings;
+  s.points.emplace_back(0, 0, -1);
+  for(Index i = 0; i < 2 * n; i += 2)
+    s.quads.push_back({ pole, last + (i + 2) % (2 * n), last + i + 1, last + i });
+  return s;
+}
+
 /// A strip of n faces of side about 1 wound up to a screw line on a cylinder, `around` faces to a
 /// turn: the chord along it crosses every face and has itself as neighbour on both sides.
 inline Shape screw(Index n, Index around)

@@ -4,6 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHORD_SET_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHORD_SET_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Merged_nodes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Walk.h>
+#include <CGAL/Quad_mesh_adaptation/internal/changed_face_quality.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
 
 #include <algorithm>
@@ -21,6 +24,8 @@ namespace internal {
 class Chord_set
 {
 public:
+  static constexpr const char* operation = "chord collapse";
+
   explicit Chord_set(const Adaptation_state& s) : s_(s)
   {
     const Quad_complex& m = s.mesh;
@@ -50,6 +55,28 @@ public:
       if(c.is_chosen)
         for(std::size_t i = c.first; i < c.first + c.number; ++i) visit(rungs_[i]);
   }
+
+  // An independent set of chords that are narrower than `widest`, the narrowest first.
+  void choose_narrow(double widest)
+  {
+    std::vector<std::pair<float, Index>> list; // rounded: equals are told by the order
+    for(Index c = 0; c < size(); ++c)
+      if(may_go(c) && width(c) < widest) list.push_back({ width(c), c });
+    put_in_order(list, s_.order);
+    std::stable_sort(list.begin(), list.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(const auto& candidate : list) choose(candidate.second);
+  }
+
+  // Would face f be longer than `limit` sizes?
+  bool is_too_long(Index f, const Merged_nodes& nodes, double limit) const
+  {
+    const auto node = [&](Index v) -> const Vertex_record& { return nodes.node(v); };
+    return is_changed_face_longer(s_.mesh.quad(f), node, limit);
+  }
+
+  // The other side of a face of a chosen chord.
+  static Index across(Index h) { return Quad_complex::next(Quad_complex::next(h)); }
 
   // Adds chord c to the choice if it touches none of it.
   void choose(Index c)

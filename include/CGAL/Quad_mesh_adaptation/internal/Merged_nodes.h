@@ -5,8 +5,8 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MERGED_NODES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Chord_set.h>
 #include <CGAL/Quad_mesh_adaptation/internal/merged_position.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/merge_nodes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,21 +17,22 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// The nodes as they are to be when chosen chords are gone: the ends of each rung are one.  The mesh
-// stays as it is meanwhile.
+// The nodes as they are to be when chosen rows of faces are gone: the ends of each rung are one.
+// The mesh stays as it is meanwhile.
 class Merged_nodes
 {
 public:
   explicit Merged_nodes(const Adaptation_state& s) : s_(s) {}
 
-  // The ends of all rungs that are chosen.
-  void merge(const Chord_set& chords)
+  // The ends of all rungs that a set of rows has chosen.
+  template <typename Row_set>
+  void merge(const Row_set& rows)
   {
     const Quad_complex& m = s_.mesh;
     image_.resize(m.vertex_end());
     for(Index v = 0; v < m.vertex_end(); ++v) image_[v] = v;
     merged_.clear();
-    chords.for_each_chosen_rung([&](Index h) {
+    rows.for_each_chosen_rung([&](Index h) {
       const Index a = root(m.origin(h)), b = root(m.target(h));
       if(a == b) return;
       const bool a_wins = carrier_rank(m.vertex(a)) >= carrier_rank(m.vertex(b));

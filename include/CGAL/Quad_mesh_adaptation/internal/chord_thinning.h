@@ -19,15 +19,16 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Thins out a mesh with far too many faces by removing many whole chords at the same time, about
-// every other one of neighbours, which makes no irregular node and leaves an even mesh even.  The
-// narrowest are chosen first; those about which the outcome would be faulty are left out again.
-class Chord_thinning
+// Removes many rows of faces at the same time, those that a set chooses: whole chords, see
+// Chord_set, or wedges, see Wedge_set.  Those about which the outcome would be faulty are left out
+// again.
+template <typename Row_set>
+class Row_thinning
 {
 public:
   // No face may become longer than `limit` sizes, nor, away from curves, worse than `least`.
-  Chord_thinning(Adaptation_state& s, double limit, double least)
-      : s_(s), limit_(limit), least_(least), chords_(s), nodes_(s)
+  Row_thinning(Adaptation_state& s, double limit, double least)
+      : s_(s), limit_(limit), least_(least), rows_(s), nodes_(s)
   {
   }
 
@@ -35,10 +36,11 @@ public:
   std::size_t operator()()
   {
     constexpr int most_rounds = 12;
-    choose();
+    rows_.choose_narrow(0.55 * limit_);
+    s_.check_cancelled();
     for(int round = 0; round < most_rounds; ++round) {
-      if(chords_.number_of_chosen() == 0) return 0;
-      nodes_.merge(chords_);
+      if(rows_.number_of_chosen() == 0) return 0;
+      nodes_.merge(rows_);
       if(leave_out_faulty()) continue;
       const std::size_t before = std::size_t(s_.mesh.number_of_faces());
       apply();
@@ -48,38 +50,24 @@ public:
   }
 
 private:
-  // An independent set of chords that are narrow, the narrowest first.
-  void choose()
-  {
-    std::vector<std::pair<float, Index>> list; // rounded: equals are told by the order
-    for(Index c = 0; c < chords_.size(); ++c)
-      if(chords_.may_go(c) && chords_.width(c) < 0.55 * limit_)
-        list.push_back({ chords_.width(c), c });
-    put_in_order(list, s_.order);
-    std::stable_sort(list.begin(), list.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for(const auto& candidate : list) chords_.choose(candidate.second);
-    s_.check_cancelled();
-  }
-
   // --- checks
 
-  // Leaves out the chords about what would be faulty; tells whether there were any.
+  // Leaves out the rows about what would be faulty; tells whether there were any.
   bool leave_out_faulty()
   {
     const Quad_complex& m = s_.mesh;
     faces_.assign(m.vertex_end(), 0);
     for(Index f = 0; f < m.face_end(); ++f)
-      if(m.is_face(f) && !chords_.removes(f))
+      if(m.is_face(f) && !rows_.removes(f))
         for(Index v : m.quad(f)) ++faces_[nodes_.image(v)];
     std::vector<Index> faulty;
     for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f) || chords_.removes(f) || !is_touched(f)) continue;
+      if(!m.is_face(f) || rows_.removes(f) || !is_touched(f)) continue;
       if(!is_well_shaped(f) || !has_good_nodes(f)) faulty.push_back(f);
     }
     if(faulty.empty()) find_mismatches(faulty);
     for(Index f : faulty)
-      for(Index v : m.quad(f)) chords_.leave_out_about(v);
+      for(Index v : m.quad(f)) rows_.leave_out_about(v);
     return !faulty.empty();
   }
 
@@ -98,7 +86,7 @@ private:
       if(!is_curve_kept(h)) return false;
     const auto node = [this](Index v) -> const Vertex_record& { return nodes_.node(v); };
     const Quad q = s_.mesh.quad(f);
-    if(is_changed_face_longer(q, node, limit_)) return false;
+    if(rows_.is_too_long(f, nodes_, limit_)) return false;
     const double quality = changed_face_quality(q, node);
     return quality >= (is_changed_face_held(q, node) ? least_beside_curves : least_) ||
            quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
@@ -126,12 +114,11 @@ private:
     return true;
   }
 
-  // The half-edge on the other side of the edge of h when chosen chords are gone.
+  // The half-edge on the other side of the edge of h when chosen rows are gone.
   Index opposite_after(Index h) const
   {
     Index o = s_.mesh.opposite(h);
-    while(o >= 0 && chords_.removes(Quad_complex::face(o)))
-      o = s_.mesh.opposite(Quad_complex::next(Quad_complex::next(o)));
+    while(o >= 0 && rows_.removes(Quad_complex::face(o))) o = s_.mesh.opposite(rows_.across(o));
     return o;
   }
 
@@ -141,7 +128,7 @@ private:
     const Quad_complex& m = s_.mesh;
     std::vector<char> is_seen(m.vertex_end(), 0);
     for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(!m.is_face(m.face(h)) || chords_.removes(m.face(h))) continue;
+      if(!m.is_face(m.face(h)) || rows_.removes(m.face(h))) continue;
       const Index v = nodes_.image(m.origin(h));
       if(is_seen[v] || !nodes_.is_merged(v)) continue;
       is_seen[v] = 1;
@@ -181,12 +168,12 @@ private:
     std::vector<Index> gone;
     for(Index f = 0; f < m.face_end(); ++f) {
       if(!m.is_face(f)) continue;
-      if(chords_.removes(f)) {
+      if(rows_.removes(f)) {
         gone.push_back(f);
         continue;
       }
       for(Index h = 4 * f; h < 4 * f + 4; ++h)
-        if(m.opposite(h) >= 0 && chords_.removes(m.face(m.opposite(h))))
+        if(m.opposite(h) >= 0 && rows_.removes(m.face(m.opposite(h))))
           pairs.push_back({ h, opposite_after(h) });
     }
     for(const auto& p : pairs) hand_curve_on(p.first);
@@ -203,24 +190,32 @@ private:
         s_.disturb(v);
       }
     m.refresh_vertices();
-    s_.count("chord collapse", chords_.number_of_chosen());
+    s_.count(Row_set::operation, rows_.number_of_chosen());
     s_.forget_faces();
   }
 
-  // A face that goes hands the curve of one side on to the other side.
+  // Faces that go hand the curve of one side on to the other side.
   void hand_curve_on(Index h)
   {
     Quad_complex& m = s_.mesh;
-    const Index across = Quad_complex::next(Quad_complex::next(m.opposite(h)));
-    if(m.curve(h) < 0 && m.curve(across) >= 0) m.set_curve(h, m.curve(across));
+    Index o = m.opposite(h);
+    while(o >= 0 && m.curve(h) < 0 && rows_.removes(Quad_complex::face(o))) {
+      const Index across = rows_.across(o);
+      if(m.curve(across) >= 0) m.set_curve(h, m.curve(across));
+      o = m.opposite(across);
+    }
   }
 
   Adaptation_state& s_;
   double limit_, least_;
-  Chord_set chords_;
+  Row_set rows_;
   Merged_nodes nodes_;
   std::vector<int> faces_; // of each node afterwards
 };
+
+// Thins out a mesh with far too many faces by removing many whole chords, about every other one of
+// neighbours, which makes no irregular node and leaves an even mesh even.
+using Chord_thinning = Row_thinning<Chord_set>;
 
 // One sweep over the restless nodes, without witnesses; none is restless then.
 inline void smooth_plainly(Adaptation_state& s)

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_OPERATION_CANDIDATES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/curve_operation_bounds.h>
+#include <CGAL/Quad_mesh_adaptation/internal/huge_nodes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operation_kinds.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/corner_split.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
@@ -107,9 +108,6 @@ public:
   }
 
 private:
-  // With so many faces, each look at all of them counts.
-  bool is_huge(Index v) const { return s_.mesh.vertex(v).faces > 24; }
-
   // Would v be left with too few faces if it lost one?
   bool loses_last(Index v) const
   {
@@ -144,7 +142,7 @@ private:
   void collect_opens(Index v)
   {
     const int n = int(out_.size());
-    if(is_huge(v)) return collect_halvings(v);
+    if(is_huge(s_.mesh, v)) return collect_halvings(v);
     for(int i = 0; i < n; ++i)
       for(int sector = 2; sector < n; ++sector) // faces that the new node takes
         if(!collect_open(v, i, sector)) break;
@@ -181,7 +179,7 @@ private:
     const Quad_complex& m = s_.mesh;
     for(Index h : out_) {
       if(!is_edge_swap_allowed(s_, h) || loses_last(v) || loses_last(m.target(h))) continue;
-      if(is_huge(v) || is_huge(m.target(h))) continue; // it is halved
+      if(is_huge(m, v) || is_huge(m, m.target(h))) continue; // it is halved
       const Index o = m.opposite(h), u = m.target(h);
       const bool relief = bounds_.is_crowded(v) || bounds_.is_crowded(u);
       const double lost = bounds_.valence_change(v, -1) + bounds_.valence_change(u, -1);

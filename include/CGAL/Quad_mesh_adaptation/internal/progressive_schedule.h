@@ -10,6 +10,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
 #include <CGAL/Quad_mesh_adaptation/internal/detours.h>
+#include <CGAL/Quad_mesh_adaptation/internal/fan_thinning.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
@@ -282,6 +283,15 @@ inline void take_part_out(Adaptation_state& s, const std::vector<Index>& work,
   if(choice.is_separable(s)) part.emplace(s, work, choice);
 }
 
+// Where there is little to work on the fans about that only.
+inline void thin_fans_near(Adaptation_state& s, const std::vector<Index>& work)
+{
+  if(huge_nodes(s.mesh).empty()) return;
+  if(!work.empty()) s.region = nodes_around(s.mesh, work, rings_to_work_on);
+  thin_fans(s);
+  s.region.clear();
+}
+
 // The default schedule.
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
                                  const Schedule_ingredients& use = {})
@@ -305,6 +315,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(!use.size_aware) s.smoothing.size = 0;
   const double fine = s.smoothing.wake;
   if(part) s.smoothing.wake = (std::max)(fine, 0.01);
+  if(use_here.coarsening) thin_fans_near(s, work);
   if(use.last_resorts)
     run_several_ways(s, clean, max_iterations, use_here);
   else

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_HUGE_NODES_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_HUGE_NODES_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// With so many faces at a node, each look at all of them counts.
+inline bool is_huge(const Quad_complex& m, Index v) { return m.vertex(v).faces > 24; }
+
+inline std::vector<Index> huge_nodes(const Quad_complex& m)
+{
+  std::vector<Index> list;
+  for(Index v = 0; v < m.vertex_end(); ++v)
+    if(m.is_vertex(v) && is_huge(m, v)) list.push_back(v);
+  return list;
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_HUGE_NODES_H
