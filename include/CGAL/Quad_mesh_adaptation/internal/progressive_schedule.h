@@ -287,9 +287,10 @@ inline void take_part_out(Adaptation_state& s, const std::vector<Index>& work,
 inline void thin_fans_near(Adaptation_state& s, const std::vector<Index>& work)
 {
   if(huge_nodes(s.mesh).empty()) return;
-  if(!work.empty()) s.region = nodes_around(s.mesh, work, rings_to_work_on);
+  const std::vector<char> region = s.region; // a part that was taken out has one
+  if(region.empty() && !work.empty()) s.region = nodes_around(s.mesh, work, rings_to_work_on);
   thin_fans(s);
-  s.region.clear();
+  s.region = region;
 }
 
 // The default schedule.
