@@ -305,10 +305,12 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(!use.size_aware) s.smoothing.size = 0;
   const double fine = s.smoothing.wake;
   if(part) s.smoothing.wake = (std::max)(fine, 0.01);
-  if(use.last_resorts)
+  if(use.last_resorts) {
     run_several_ways(s, clean, max_iterations, use_here);
-  else
+    Local_detours(s, clean).in_the_end();
+  } else {
     run_progressively(s, clean, max_iterations, use_here);
+  }
   s.smoothing.wake = fine;
   input.restore_unless_better();
   if(part) part->put_back();
