@@ -14,9 +14,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -69,6 +71,33 @@ TEST(Local_detours, MendShapesAndKeepSizes)
   EXPECT_LT(after, 0.2 * before);
 }
 
+// In the end, faces too many at nodes are faults, too.
+TEST(Local_detours, RelieveCrowdedNodesInTheEnd)
+{
+  const auto too_many = [](const Adaptation_state& s) {
+    int faces = 0;
+    for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+      if(s.mesh.is_vertex(v)) faces += core::faces_too_many(s, v);
+    return faces;
+  };
+  int before = 0, after = 0;
+  for(unsigned seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    Adaptation_state s = irregular_state(seed);
+    const double faults = core::shape_faults(s), energy = core::total_energy(s);
+    const std::size_t too_large = core::faces_too_large(s).size();
+    const int crowds = too_many(s);
+    core::Local_detours(s, core::Improvement_options()).in_the_end();
+    EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
+    EXPECT_LE(core::faces_too_large(s).size(), too_large);
+    EXPECT_LE(too_many(s), crowds);
+    EXPECT_LE(core::total_energy(s) + 80 * core::shape_faults(s), energy + 80 * faults + 1e-6);
+    before += crowds;
+    after += too_many(s);
+  }
+  EXPECT_LT(after, before);
+}
+
 TEST(Local_detours, LeaveGoodMeshesAlone)
 {
   Adaptation_state s = make_state(shape_zoo::plate(6, 6));
@@ -98,6 +127,48 @@ TEST(Local_detours, MendPoorFacesOfLargeMeshes)
     ASSERT_TRUE(s.mesh.is_vertex(v));
     EXPECT_EQ(s.mesh.point(v), p);
   }
+}
+
+// Trials that went to other meshes on the way are not missed.
+TEST(Local_detours, HaveTrialsInTheEnd)
+{
+  Options o;
+  o.size = [](const Vec&) { return 0.2; };
+  Adaptation_state s = make_state(squared_disk(30), o);
+  s.detours_left = 0;
+  const std::size_t poor = core::poor_shapes(s, QMA::Poor_face::floor).size();
+  ASSERT_GE(poor, 4u);
+  core::Local_detours(s, core::Improvement_options()).in_the_end();
+  EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
+  EXPECT_TRUE(core::faces_too_large(s).empty());
+  EXPECT_TRUE(core::poor_shapes(s, QMA::Poor_face::floor).empty());
+}
+
+// Where two creases meet at a flat angle a second face is to be had as well.
+TEST(Corner_splits, WhereCreasesMeet)
+{
+  Options o;
+  const shape_zoo::Shape plate = shape_zoo::plate(6, 6);
+  const auto at = [&](Index i, Index j) {
+    const auto& p = plate.points;
+    return Index(std::find(p.begin(), p.end(), Vec(i, j, 0)) - p.begin());
+  };
+  for(const auto& e : { std::make_pair(at(3, 3), at(4, 3)), std::make_pair(at(3, 3), at(3, 4)) })
+    o.constrained.insert(std::minmax(e.first, e.second));
+  Adaptation_state s = make_state(plate, o);
+  ASSERT_EQ(s.mesh.vertex(at(3, 3)).carrier, Carrier::corner);
+  core::Improvement_options splits;
+  splits.close = splits.open = splits.swap = splits.rotate = splits.border = false;
+  splits.insertion = false;
+  splits.corner = true;
+  splits.tolerance = 1000;
+  splits.min_jacobian = 0.01;
+  EXPECT_FALSE(core::Local_improvement(s, splits).improve_at(at(3, 3)));
+  splits.at_corners = true;
+  EXPECT_TRUE(core::Local_improvement(s, splits).improve_at(at(3, 3)));
+  EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
+  EXPECT_EQ(s.mesh.number_of_faces(), 39);
+  EXPECT_EQ(s.mesh.vertex(at(3, 3)).faces, 5);
 }
 
 TEST(Corner_splits, FlatCornersOfASquareOnADisk)

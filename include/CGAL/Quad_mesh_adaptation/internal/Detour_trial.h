@@ -34,13 +34,14 @@ public:
     better
   };
 
-  // Looks for a `first` operation about node v, and for others within three rings of face f after
-  // it.
-  Outcome operator()(Index f, Index v, const Improvement_options& first, double least_gain)
+  // Calls first() for the first operation, and if that is true looks for others within three rings
+  // of face f after it.
+  template <typename First>
+  Outcome operator()(Index f, const First& first, double least_gain)
   {
     begin();
     const std::vector<char> near = nodes_around(s_.mesh, { f }, 3);
-    if(!Local_improvement(s_, first).improve_at(v)) return Outcome::no_operation;
+    if(!first()) return Outcome::no_operation;
     improve_about(near);
     const bool is_better = faces_too_large(s_).size() <= start_->too_large &&
                            worst_quality(s_) >= start_->least_quality - hair &&
@@ -52,6 +53,13 @@ public:
     }
     forget_start();
     return Outcome::better;
+  }
+
+  // Faces too many at nodes of curves count like those at others from now on.
+  void count_all_crowds()
+  {
+    counts_all_crowds_ = true;
+    forget_start();
   }
 
   // The mesh has been changed since the last trial.
@@ -132,12 +140,22 @@ private:
   }
 
   // A face a tenth below the floor may cost two irregular nodes and two faces.
-  double demerits_here() { return total_energy(s_) + 80 * shape_faults(s_); }
+  double demerits_here() { return total_energy(s_) + 80 * (shape_faults(s_) + crowds_left_out()); }
+
+  // Faces too many at nodes that the faults of shape do not count.
+  int crowds_left_out() const
+  {
+    int faces = 0;
+    for(Index v = 0; counts_all_crowds_ && v < s_.mesh.vertex_end(); ++v)
+      if(s_.mesh.is_vertex(v) && !is_crowded(s_, v)) faces += faces_too_many(s_, v);
+    return faces;
+  }
 
   static constexpr double hair = 0.005; // moves measure shape in another way
 
   Adaptation_state& s_;
   Improvement_options follow_;
+  bool counts_all_crowds_ = false;
   std::optional<Start> start_;
   std::optional<Mesh_keeper> mesh_;
 };

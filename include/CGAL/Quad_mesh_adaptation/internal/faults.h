@@ -63,6 +63,17 @@ inline bool is_crowded(const Adaptation_state& s, Index v)
   return images * r.faces > 5 && (r.carrier == Carrier::surface || images > 1) && !r.frozen;
 }
 
+// By how many faces does a node inside the whole, on a curve or not, exceed five and what its angle
+// asks for?
+inline int faces_too_many(const Adaptation_state& s, Index v)
+{
+  constexpr int allowed = 5;
+  const Vertex_record& r = s.mesh.vertex(v);
+  const int images = s.images_at(r), faces = images * r.faces;
+  if(faces <= allowed || r.frozen || (images == 1 && s.mesh.is_border_vertex(v))) return 0;
+  return faces - (std::min)(faces, (std::max)(allowed, images * int(r.ideal_faces)));
+}
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

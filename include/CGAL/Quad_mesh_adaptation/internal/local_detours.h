@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_LOCAL_DETOURS_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Detour_trial.h>
+#include <CGAL/Quad_mesh_adaptation/internal/detour_searches.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Work_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
@@ -27,16 +28,15 @@ class Local_detours
 {
 public:
   Local_detours(Adaptation_state& s, const Improvement_options& o)
-      : s_(s), options_(made_careful(o)), trial_(s, options_)
+      : s_(s), options_(made_careful(o)), trial_(s, options_),
+        usual_(usual_search(options_, s.energy.min_gain)), near_(thorough_search(options_, 1)),
+        farther_(thorough_search(options_, 2))
   {
-    usual_ = usual_search();
-    near_ = thorough_search(1);
-    farther_ = thorough_search(2);
   }
 
   void operator()()
   {
-    mend_unexcused();
+    mend_unexcused({ &near_, &farther_ });
     trials_left_ = affordable_trials(most_work, most_trials);
     std::vector<Index> poor = poor_faces_by_shape();
     for(std::size_t i = 0; i < poor.size() && trials_left_ > 0;) {
@@ -49,72 +49,32 @@ public:
     }
   }
 
+  // For a mesh that is to stay: on the way to it, all trials may have gone to meshes that did not.
+  // Crowded nodes count here, too.  First what helps most often: operations near each place, then
+  // more faces there, then operations farther off.
+  void in_the_end()
+  {
+    s_.detours_left = trials_in_the_end;
+    relieves_crowds_ = true;
+    trial_.count_all_crowds();
+    mend_unexcused({ &near_ });
+    mend_unexcused({ &splits_ });
+    mend_unexcused({ &farther_ });
+    s_.qualities = Face_values<float>();
+  }
+
 private:
-  // What is tried about a face: the first operations, a kind or two at a time, about the nodes
-  // within so many rings of it, and how much better the mesh must be for it in the end.
-  struct Search
-  {
-    std::vector<Improvement_options> first;
-    int rings;
-    double least_gain;
-  };
-
-  static Improvement_options made_careful(Improvement_options o)
-  {
-    o.keep_within_size = true;
-    o.valence_gain = -1e9; // swaps for the sake of shapes, too
-    return o;
-  }
-
-  Improvement_options no_operation() const
-  {
-    Improvement_options none = options_;
-    none.tolerance = 10;
-    none.keep_within_size = false;
-    none.min_jacobian = 0.3;
-    none.close = none.open = none.swap = none.rotate = none.border = none.insertion = false;
-    return none;
-  }
-
-  Search usual_search() const
-  {
-    Search x = { std::vector<Improvement_options>(4, no_operation()), 1, s_.energy.min_gain };
-    x.first[0].swap = x.first[0].rotate = true;
-    x.first[1].close = true;
-    x.first[2].border = x.first[2].crease = true;
-    x.first[3].open = x.first[3].corner = x.first[3].insertion = true;
-    return x;
-  }
-
-  // Splits that give a flat corner a second face are not left to be hidden by cheaper operations,
-  // and may leave narrow faces until others follow.  Any of them may crowd a node, which others
-  // relieve.  Gains of less than a face hardly show, and take trials.
-  Search thorough_search(int rings) const
-  {
-    Improvement_options none = no_operation();
-    none.max_valence = 6;
-    Search x = { std::vector<Improvement_options>(6, none), rings, 1 };
-    x.first[0].corner = true;
-    x.first[1].swap = x.first[1].rotate = true;
-    x.first[2].close = true;
-    x.first[3].border = x.first[3].crease = true;
-    x.first[4].open = true;
-    x.first[5].insertion = true;
-    for(int i : { 0, 5 }) {
-      x.first[i].tolerance = 30;
-      x.first[i].min_jacobian = 0.1;
-    }
-    return x;
-  }
+  using Searches = std::vector<const Detour_search*>;
 
   // Those below the floor that is promised go first, each for itself.
-  void mend_unexcused()
+  void mend_unexcused(const Searches& searches)
   {
     const std::vector<char> stirred = s_.stirred, restless = s_.restless;
     std::vector<char> tried;
     double work_left = most_work_on_unexcused;
     while(work_left > 0 && s_.detours_left > 0) {
-      const Index f = worst_unexcused(tried);
+      Index f = worst_unexcused(tried);
+      if(f < 0 && relieves_crowds_) f = worst_about_crowds(tried);
       if(f < 0) break;
       tried.resize(s_.mesh.face_end(), 0);
       tried[f] = 1;
@@ -123,11 +83,11 @@ private:
       if(s_.region.empty() && choice.is_small(s_.mesh)) {
         Work_part part(s_, { f }, choice, rings);
         trial_.forget_start(); // of another mesh
-        work_left -= try_on(part.work().front(), work_left);
+        work_left -= try_on(part.work().front(), searches, work_left);
         part.put_back();
         trial_.forget_start();
       } else {
-        work_left -= try_on(f, work_left);
+        work_left -= try_on(f, searches, work_left);
       }
     }
     const auto give_back = [&](std::vector<char>& to, const std::vector<char>& marks) {
@@ -154,6 +114,30 @@ private:
     return worst;
   }
 
+  // About a node of which no face has been tried.  -1: none.
+  Index worst_about_crowds(const std::vector<char>& tried) const
+  {
+    Index worst = -1;
+    double least = 2;
+    std::vector<Index> out;
+    for(Index v = 0; v < s_.mesh.vertex_end(); ++v) {
+      if(!s_.mesh.is_vertex(v) || faces_too_many(s_, v) == 0) continue;
+      s_.mesh.outgoing(v, out);
+      const auto is_tried = [&](Index h) {
+        return s_.mesh.face(h) < Index(tried.size()) && tried[s_.mesh.face(h)];
+      };
+      if(std::any_of(out.begin(), out.end(), is_tried)) continue;
+      for(Index h : out) {
+        const Index f = s_.mesh.face(h);
+        const double jacobian = scaled_jacobian(s_.corners(f));
+        if(jacobian >= least || !is_within(f)) continue;
+        least = jacobian;
+        worst = f;
+      }
+    }
+    return worst;
+  }
+
   bool is_within(Index f) const
   {
     const Quad q = s_.mesh.quad(f);
@@ -166,17 +150,25 @@ private:
     return p.scaled_jacobian < Poor_face::floor && p.limit == Shape_limit::none;
   }
 
+  bool is_to_mend(Index f) const
+  {
+    const Quad q = s_.mesh.quad(f);
+    const auto has_too_many = [this](Index v) { return faces_too_many(s_, v) > 0; };
+    return is_unexcused(f) || (relieves_crowds_ && std::any_of(q.begin(), q.end(), has_too_many));
+  }
+
   // Until face f is good enough or nothing helps; returns the work.
-  double try_on(Index f, double work_left)
+  double try_on(Index f, const Searches& searches, double work_left)
   {
     double work = 0;
     bool again = true;
-    while(again && s_.mesh.is_face(f) && is_unexcused(f) && work < work_left) {
+    while(again && s_.mesh.is_face(f) && is_to_mend(f) && work < work_left) {
       const Index faces = s_.mesh.number_of_faces();
       const std::size_t trials =
           affordable_trials(work_left - work, (std::min)(most_trials_each, s_.detours_left));
       trials_left_ = trials;
-      again = is_mended(f, near_) || is_mended(f, farther_);
+      again = std::any_of(searches.begin(), searches.end(),
+                          [&](const Detour_search* search) { return is_mended(f, *search); });
       work += double(trials - trials_left_) * (faces + 100);
       s_.detours_left -= trials - trials_left_;
     }
@@ -200,7 +192,7 @@ private:
   }
 
   // Each kind of operation about each node near face f, until one helps.
-  bool is_mended(Index f, const Search& search)
+  bool is_mended(Index f, const Detour_search& search)
   {
     std::vector<Index> nodes;
     const std::vector<char> near = nodes_around(s_.mesh, { f }, search.rings);
@@ -209,15 +201,41 @@ private:
     for(const Improvement_options& first : search.first)
       for(Index v : nodes) {
         if(trials_left_ == 0) return false;
-        if(is_better_after(f, v, first, search.least_gain)) return true;
+        const auto operate = [&] { return Local_improvement(s_, first).improve_at(v); };
+        if(is_better_after(f, operate, search.least_gain)) return true;
       }
-    return false;
+    return search.splits && is_mended_by_splits(f, search.least_gain);
   }
 
-  bool is_better_after(Index f, Index v, const Improvement_options& first, double least_gain)
+  // More faces about face f, by splits of its own edges or of all edges about one of its nodes;
+  // what there are too many of goes again.
+  bool is_mended_by_splits(Index f, double least_gain)
+  {
+    constexpr int reach = 4; // rings
+    const auto split = [&](const std::vector<Index>& faces, Edges_of_face edges) {
+      const auto cut = [&] { return split_within(s_, faces, reach, edges) > 0; };
+      return trials_left_ > 0 && is_better_after(f, cut, least_gain);
+    };
+    if(split({ f }, longer_edges) || split({ f }, shorter_edges) || split({ f }, all_edges))
+      return true;
+    const Quad q = s_.mesh.quad(f);
+    return std::any_of(q.begin(), q.end(),
+                       [&](Index v) { return split(faces_about(v), all_edges); });
+  }
+
+  std::vector<Index> faces_about(Index v) const
+  {
+    std::vector<Index> list;
+    s_.mesh.outgoing(v, list);
+    for(Index& h : list) h = s_.mesh.face(h);
+    return list;
+  }
+
+  template <typename First>
+  bool is_better_after(Index f, const First& first, double least_gain)
   {
     s_.check_cancelled();
-    const Detour_trial::Outcome outcome = trial_(f, v, first, least_gain);
+    const Detour_trial::Outcome outcome = trial_(f, first, least_gain);
     if(outcome != Detour_trial::Outcome::no_operation) --trials_left_;
     return outcome == Detour_trial::Outcome::better;
   }
@@ -225,14 +243,15 @@ private:
   static constexpr double most_work = 1e5; // faces in all copies
   static constexpr double most_work_on_unexcused = 4e5;
   static constexpr double work_to_find_it = 0.1; // a face, and to take a part out, for each face
-  static constexpr std::size_t most_trials = 40, most_trials_each = 100;
+  static constexpr std::size_t most_trials = 40, most_trials_each = 100, trials_in_the_end = 300;
   static constexpr int rings = 4; // of faces to work on about a face
 
   Adaptation_state& s_;
   Improvement_options options_;
   Detour_trial trial_;
+  bool relieves_crowds_ = false;
+  const Detour_search usual_, near_, farther_, splits_ = { {}, 1, 1, true };
   std::size_t trials_left_ = 0;
-  Search usual_, near_, farther_;
 };
 
 // The last resorts in turn: sizes first, then shapes, again where one has undone the other, and the

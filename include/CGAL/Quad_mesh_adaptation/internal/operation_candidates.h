@@ -228,12 +228,15 @@ private:
           crease_collapse_bound(s_, bounds_, crease_));
   }
 
-  // A node on a curve, no corner, with one flat face on a side gets a second one.
+  // A node on a curve with one flat face on a side gets a second one.  Where curves meet, that is
+  // mostly settled by the number of faces that the node is to have.
   void collect_insertions(Index v)
   {
     const Quad_complex& m = s_.mesh;
     const bool border = out_.size() == 1;
-    if(border ? m.vertex(v).ideal_faces < 2 : m.vertex(v).carrier != Carrier::curve) return;
+    const bool on_curve = m.vertex(v).carrier == Carrier::curve ||
+                          (options_.at_corners && m.vertex(v).carrier == Carrier::corner);
+    if(border ? m.vertex(v).ideal_faces < 2 : !on_curve) return;
     for(Index h : out_)
       if(border || (m.curve(h) >= 0 && m.curve(m.prev(h)) >= 0)) {
         if(options_.corner) collect_corner_split(h);

@@ -15,6 +15,7 @@ struct Improvement_options
   bool close = true, open = true, swap = true, rotate = true, border = true;
   bool corner = false;           // flat corners are split, which shapes are worth, and little else
   bool insertion = true;         // of quads into faces at flat corners
+  bool at_corners = false;       // these two where curves meet, too
   bool crease = false;           // creases inside the surface lose single edges, not only by chords
   int max_valence = 5;           // of inner nodes, unless it was higher before
   bool keep_within_size = false; // no operation may leave a face above its size

@@ -317,10 +317,12 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   const double fine = s.smoothing.wake;
   if(part) s.smoothing.wake = (std::max)(fine, 0.01);
   if(use_here.coarsening) thin_fans_near(s, work);
-  if(use.last_resorts)
+  if(use.last_resorts) {
     run_several_ways(s, clean, max_iterations, use_here);
-  else
+    Local_detours(s, clean).in_the_end();
+  } else {
     run_progressively(s, clean, max_iterations, use_here);
+  }
   s.smoothing.wake = fine;
   input.restore_unless_better();
   if(part) part->put_back();

@@ -41,6 +41,17 @@ inline std::vector<Index> longer_edges(const Adaptation_state& s, Index f)
   return { first, first + 2 };
 }
 
+inline std::vector<Index> shorter_edges(const Adaptation_state& s, Index f)
+{
+  const Index other = longer_edges(s, f).front() == 4 * f ? 4 * f + 1 : 4 * f;
+  return { other, other + 2 };
+}
+
+inline std::vector<Index> all_edges(const Adaptation_state&, Index f)
+{
+  return { 4 * f, 4 * f + 1, 4 * f + 2, 4 * f + 3 };
+}
+
 using Edges_of_face = std::vector<Index> (*)(const Adaptation_state&, Index);
 
 // The last resort: faces still too large get the pair of edges that is longest split, or those that
