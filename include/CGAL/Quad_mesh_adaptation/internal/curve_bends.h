@@ -87,6 +87,15 @@ public:
     return held;
   }
 
+  // Holds all nodes that sit at bends.
+  void hold_all()
+  {
+    for_each_bend([&](const Curve_bend& b, Index v, double way) {
+      Vertex_record& r = s_.mesh.vertex(v);
+      if(std::abs(way) <= 1e-9 * b.shorter && b.loss(r.h) >= curve_loss_allowed) r.frozen = true;
+    });
+  }
+
   // Moves nodes to the bends, and holds them, where edges are much shorter than those of the
   // polyline, or at all shorter and there is a node for every bend, or the curve has no fewer edges
   // than the polyline.  Returns how many there are.

@@ -319,7 +319,9 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(use_here.coarsening) thin_fans_near(s, work);
   if(use.last_resorts) {
     run_several_ways(s, clean, max_iterations, use_here);
+    Curve_bends(s).hold_all();
     Local_detours(s, clean).in_the_end();
+    release_bends(s);
   } else {
     run_progressively(s, clean, max_iterations, use_here);
   }
