@@ -4,10 +4,12 @@
 // quad_adapt INPUT OUTPUT (--size H | --size-function EXPR | ...) [options]
 // Adapts a quad mesh in a file to sizes; see quad_adapt --help.
 
+#include "quad_adapt/Mesh_sets.h"
 #include "quad_adapt/Options.h"
 #include "quad_adapt/Progress.h"
 #include "quad_adapt/Sizes.h"
 #include "quad_adapt/adapt.h"
+#include "quad_adapt/parse_options.h"
 #include "support/face_fields.h"
 #include "support/print_report.h"
 #include "support/report_json.h"
@@ -19,21 +21,33 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 
-// 0, or the exit code after having said why.
-int read_inputs(const Options& options, Mesh& mesh, Mesh& reference)
+// What the program reads but for the sizes.
+struct Inputs
 {
-  QMA::Read_result result = QMA::read_quad_mesh(options.input, mesh);
+  Mesh mesh, reference;
+  QMA::Mesh_fields fields;       // of the mesh as it was read
+  std::optional<Mesh_sets> sets; // of the mesh, once it has been read
+};
+
+// 0, or the exit code after having said why.
+int read_inputs(const Options& options, Inputs& in)
+{
+  QMA::Read_result result = QMA::read_quad_mesh(options.input, in.mesh, in.fields);
   if(!result.ok()) return refuse(result.message);
+  in.sets.emplace(in.mesh);
+  const int exit_code = options.ignores_sets ? 0 : in.sets->take(in.fields, result.notes);
+  if(exit_code != 0) return exit_code;
   if(!options.is_quiet)
     for(const std::string& note : result.notes)
       std::cerr << "quad_adapt: note: " << options.input << ": " << note << '\n';
   if(options.reference.empty()) return 0;
-  result = QMA::read_surface(options.reference, reference);
+  result = QMA::read_surface(options.reference, in.reference);
   return result.ok() ? 0 : refuse(result.message);
 }
 
@@ -50,16 +64,17 @@ int probe_outputs(const Options& options)
 
 // All files or none.
 int write_outputs(const Options& options, const Size_function& size, const Mesh& initial,
-                  const Mesh& mesh, const QMA::Adaptation_report& report)
+                  const Inputs& in, const QMA::Adaptation_report& report)
 {
+  QMA::Mesh_fields fields = size_and_quality_fields(in.mesh, size);
+  in.sets->add_to(fields);
   QMA::File_transaction files;
-  QMA::Write_result result = files.stage(
-      options.output,
-      QMA::quad_mesh_file_contents(options.output, mesh, size_and_quality_fields(mesh, size)));
+  QMA::Write_result result =
+      files.stage(options.output, QMA::quad_mesh_file_contents(options.output, in.mesh, fields));
   if(result.ok() && !options.report.empty())
     result = files.stage(options.report, to_json(report).dump(2) + '\n');
   if(result.ok() && !options.picture.empty())
-    result = files.stage(options.picture, QMA::picture_file_contents(initial, size, mesh));
+    result = files.stage(options.picture, QMA::picture_file_contents(initial, size, in.mesh));
   if(is_interrupted) return exit_interrupted;
   if(result.ok()) result = files.commit();
   return result.ok() ? 0 : refuse(result.message);
@@ -68,12 +83,14 @@ int write_outputs(const Options& options, const Size_function& size, const Mesh&
 int run(const Options& options)
 {
   Size_function size;
-  Mesh mesh, reference;
+  Inputs in;
+  Mesh& mesh = in.mesh;
   int exit_code = read_given_sizes(options, size);
-  if(exit_code == 0) exit_code = read_inputs(options, mesh, reference);
+  if(exit_code == 0) exit_code = read_inputs(options, in);
   if(exit_code == 0) exit_code = probe_outputs(options);
+  if(exit_code == 0) exit_code = add_sizes_of_error(options, mesh, in.fields, size);
   if(exit_code != 0) return exit_code;
-  add_sizes_of_surface(options, options.reference.empty() ? mesh : reference, size);
+  add_sizes_of_surface(options, options.reference.empty() ? mesh : in.reference, size);
   if(options.gradation) limit_growth(options, mesh, size);
   std::vector<Mesh::Face_index> region;
   exit_code = choose_region(options, mesh, region);
@@ -81,12 +98,12 @@ int run(const Options& options)
 
   const Mesh initial = options.picture.empty() ? Mesh() : mesh;
   catch_interrupts();
-  const QMA::Adaptation_report report = adapt(options, size, mesh, reference, region);
+  const QMA::Adaptation_report report = adapt(options, size, mesh, *in.sets, in.reference, region);
   if(report.status == QMA::Adaptation_status::cancelled)
     return refuse("interrupted, nothing was written", exit_interrupted);
   if(!report.has_valid_mesh()) return refuse(options.input + ": " + report.message);
 
-  exit_code = write_outputs(options, size, initial, mesh, report);
+  exit_code = write_outputs(options, size, initial, in, report);
   if(exit_code == exit_interrupted) return refuse("interrupted, nothing was written", exit_code);
   if(exit_code != 0) return exit_code;
   if(!options.is_quiet) print_report(std::cout, report);

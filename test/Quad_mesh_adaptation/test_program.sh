@@ -159,6 +159,44 @@ cmp border_before border_after || fail "--keep-border did not keep the border"
 expect 0 '' twelve.off near.off --size 1.06 --aim nearest --quiet
 expect 0 '' twelve.off below.off --size 1.06 --no-symmetry --quiet
 [ "$(faces near.off)" -lt "$(faces below.off)" ] || fail "--aim nearest made no fewer faces"
+# patches, marked edges and fixed vertices are kept, and read again
+grid_ply() { # grid N: with two halves as patches, the middle of one marked, one vertex fixed
+  awk -v n="$1" 'BEGIN {
+    print "ply\nformat ascii 1.0\nelement vertex " (n+1)*(n+1) "\nproperty double x\nproperty double y"
+    print "property double z\nproperty uchar fixed\nelement face " n*n
+    print "property list uchar int vertex_indices\nproperty int patch\nproperty double eta"
+    print "element edge " n "\nproperty int vertex1\nproperty int vertex2\nend_header"
+    for(j = 0; j <= n; ++j) for(i = 0; i <= n; ++i) print i, j, 0, (i == 1 && j == 1)
+    for(j = 0; j < n; ++j) for(i = 0; i < n; ++i) {
+      v = j*(n+1)+i; print 4, v, v+1, v+n+2, v+n+1, (i < n/2 ? 3 : 7), 1/(1+i*i+j*j) }
+    for(i = 0; i < n; ++i) print n/4*(n+1)+i, n/4*(n+1)+i+1 }'
+}
+grid_ply 8 >sets.ply
+expect 0 '' sets.ply sets_out.ply --size 1.9 --quiet
+expect 0 '' sets_out.ply sets_out.obj --size 0.7 --report report.json --quiet
+grep -q '"patches": 4' report.json || fail "patches and marked edges do not part the faces"
+[ "$(grep -c '^g patch_[37]$' sets_out.obj)" -ge 2 ] || fail "patches were not kept"
+grep -q '^v 1 1 0$' sets_out.obj || fail "a fixed vertex was not kept"
+awk '/^v / { x[++n] = $2; y[n] = $3 } /^l / { d = x[$3] - x[$2]; sum += d < 0 ? -d : d; off += y[$2] != 2 || y[$3] != 2 }
+  END { exit !(off == 0 && sum > 7.999 && sum < 8.001) }' sets_out.obj ||
+  fail "marked edges were not kept"
+awk '/^v / { x[++n] = $2 } /^g / { left = $2 == "patch_3" }
+  /^f / { for(i = 2; i <= 5; ++i) if(left ? x[$i] > 4 : x[$i] < 4) exit 1 }' sets_out.obj ||
+  fail "the patches' border moved"
+expect 0 '' sets.ply free.obj --size 1.9 --ignore-sets --quiet
+grep -q '^[gl] ' free.obj && fail "--ignore-sets kept something"
+sed 's/^\(element edge\) 8$/\1 9/; $a 0 80' sets.ply >stray.ply
+expect 0 '1 of the 9 marked edges' stray.ply out.ply --size 2
+# sizes from error indicators
+expect 0 '' sets.ply error.off --error eta --error-reduction 0.2 --ignore-sets --quiet
+expect 0 '' sets.ply error_faces.off --error eta --error-faces 400 --ignore-sets --quiet
+[ "$(faces error.off)" -gt 64 ] || fail "--error-reduction refined nothing"
+[ "$(faces error_faces.off)" -gt 320 ] && [ "$(faces error_faces.off)" -lt 480 ] ||
+  fail "--error-faces 400 gave $(faces error_faces.off) faces"
+expect 1 'no property "theta"' sets.ply out.off --error theta --error-target 1
+expect 2 'needs one of' sets.ply out.off --error eta
+expect 2 'needs one of' sets.ply out.off --error eta --error-faces 9 --error-target 1
+expect 2 'error' sets.ply out.off --size 1 --error-faces 9
 # a size that grows too fast is said
 expect 0 '' plate.off steep.off --size-function '0.1 + abs(hypot(x, y) - 3)' --report report.json
 grep -q 'Note: the size grows' .out || fail "a steep size is not told"
@@ -231,7 +269,7 @@ expect 1 'more than the limit' plate.off out.off --size-function 'x < 2 ? 1e-200
 expect 1 'no such file' plate.off out.off --background missing.ply
 expect 1 'must end in .ply' plate.off out.off --background plate.off
 sed 's/float size/float length/' wanted.ply >bad.ply
-expect 1 'property size' plate.off out.off --background bad.ply
+expect 1 'no property "size"' plate.off out.off --background bad.ply
 sed 's/^4 0 0 1$/4 0 0 -1/' wanted.ply >bad.ply
 expect 1 'size at vertex 1' plate.off out.off --background bad.ply
 head -n 12 wanted.ply >bad.ply

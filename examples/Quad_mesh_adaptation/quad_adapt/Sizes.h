@@ -8,12 +8,16 @@
 #include "Size_expression.h"
 
 #include <CGAL/Quad_mesh_adaptation/Curvature_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/Error_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
 #include <CGAL/Quad_mesh_adaptation/IO/read_nodal_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/Proximity_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/combined_sizing_fields.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +25,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
@@ -76,12 +81,60 @@ inline int read_given_sizes(const Options& options, Size_function& size)
   return 0;
 }
 
-/// Adds the sizes that follow from the shape of the surface, and brings all within the bounds.
-inline void add_sizes_of_surface(const Options& options, const Mesh& surface, Size_function& size)
+inline QMA::Size_range range_of(const Options& options)
 {
   QMA::Size_range range;
   if(options.smallest_size) range.smallest = *options.smallest_size;
   if(options.largest_size) range.largest = *options.largest_size;
+  return range;
+}
+
+inline QMA::Error_target target_of(const Options& options)
+{
+  if(options.error_target) return QMA::Error_target::error(*options.error_target);
+  if(options.error_reduction) return QMA::Error_target::reduction(*options.error_reduction);
+  return QMA::Error_target::number_of_faces(*options.error_faces);
+}
+
+/// Adds the sizes that follow from error indicators in the file of the mesh, which must be as it
+/// was read.  0, or the exit code after having said why.
+inline int add_sizes_of_error(const Options& options, const Mesh& mesh,
+                              const QMA::Mesh_fields& fields, Size_function& size)
+{
+  if(!options.error_property) return 0;
+  const auto* of_faces = QMA::Mesh_fields::find(fields.face, *options.error_property);
+  const auto* of_vertices = QMA::Mesh_fields::find(fields.vertex, *options.error_property);
+  QMA::Error_sizing_options how;
+  how.order = options.error_order;
+  how.range = range_of(options);
+  const auto value_in = [](const QMA::Scalar_field& field) {
+    return [&field](std::size_t i) { return field.values[i]; };
+  };
+  try {
+    if(of_faces)
+      add_size(QMA::Error_sizing_field(
+                   mesh, boost::make_function_property_map<Mesh::Face_index>(value_in(*of_faces)),
+                   target_of(options), how),
+               size);
+    else if(of_vertices)
+      add_size(QMA::Error_sizing_field(
+                   mesh,
+                   boost::make_function_property_map<Mesh::Vertex_index>(value_in(*of_vertices)),
+                   target_of(options), how),
+               size);
+    else
+      return refuse("--error: " + options.input + " has no property \"" + *options.error_property +
+                    "\" at its faces or vertices");
+  } catch(const std::invalid_argument& error) {
+    return refuse("--error: " + std::string(error.what()));
+  }
+  return 0;
+}
+
+/// Adds the sizes that follow from the shape of the surface, and brings all within the bounds.
+inline void add_sizes_of_surface(const Options& options, const Mesh& surface, Size_function& size)
+{
+  const QMA::Size_range range = range_of(options);
   const auto parameters =
       QMA::smooth_reference(options.is_smooth, QMA::feature_angle(options.feature_angle));
   if(options.elements_per_circle)

@@ -4,6 +4,7 @@
 #ifndef QUAD_ADAPT_ADAPT_H
 #define QUAD_ADAPT_ADAPT_H
 
+#include "Mesh_sets.h"
 #include "Options.h"
 #include "Progress.h"
 #include "Size_expression.h"
@@ -52,7 +53,7 @@ QMA::Adaptation_report adapt(const std::vector<Mesh::Face_index>& region, const 
 }
 
 inline QMA::Adaptation_report adapt(const Options& options, const Size_function& size, Mesh& mesh,
-                                    const Mesh& reference,
+                                    const Mesh_sets& sets, const Mesh& reference,
                                     const std::vector<Mesh::Face_index>& region)
 {
   const Thread_limit threads(options.threads);
@@ -63,7 +64,10 @@ inline QMA::Adaptation_report adapt(const Options& options, const Size_function&
   };
   const auto course = CGAL::parameters::visitor(std::ref(progress))
                           .callback(callback)
-                          .number_of_iterations(options.max_iterations);
+                          .number_of_iterations(options.max_iterations)
+                          .face_patch_map(sets.patches())
+                          .edge_is_constrained_map(sets.marked_edges())
+                          .vertex_is_constrained_map(sets.fixed_vertices());
   const auto constraints = QMA::edge_is_frozen_map(
       boost::make_function_property_map<Mesh::Edge_index>(is_frozen),
       QMA::feature_angle(options.feature_angle,

@@ -26,16 +26,19 @@ inline Read_result read_nodal_sizes(const std::string& file, const std::string& 
     return refuse(Refusal::unreadable_file, "its name must end in .ply");
   std::string bytes;
   Polygon_soup soup;
-  Ply_vertex_values sizes{ property, {} };
+  Mesh_fields fields;
   Read_result result = read_bytes(file, bytes);
-  if(result.ok()) result = read_ply(bytes, soup, &sizes);
+  if(result.ok()) result = read_ply(bytes, soup, &fields);
   if(!result.ok()) return result;
-  for(std::size_t v = 0; v < sizes.values.size(); ++v)
-    if(!(sizes.values[v] > 0 && std::isfinite(sizes.values[v])))
+  const Scalar_field* sizes = Mesh_fields::find(fields.vertex, property);
+  if(!sizes)
+    return refuse(Refusal::unreadable_file, "its vertices have no property \"" + property + "\"");
+  for(std::size_t v = 0; v < sizes->values.size(); ++v)
+    if(!(sizes->values[v] > 0 && std::isfinite(sizes->values[v])))
       return refuse(Refusal::invalid_size,
                     "the size at vertex " + std::to_string(v) + " is not positive and finite",
                     long(v));
-  field.emplace(soup.points, soup.faces, sizes.values);
+  field.emplace(soup.points, soup.faces, sizes->values);
   return result;
 }
 

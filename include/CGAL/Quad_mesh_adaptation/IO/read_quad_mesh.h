@@ -4,10 +4,12 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_IO_READ_QUAD_MESH_H
 #define CGAL_QUAD_MESH_ADAPTATION_IO_READ_QUAD_MESH_H
 
+#include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
 #include <CGAL/Quad_mesh_adaptation/IO/Read_result.h>
 #include <CGAL/Quad_mesh_adaptation/internal/file_names.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
-#include <CGAL/Quad_mesh_adaptation/internal/read_off_obj.h>
+#include <CGAL/Quad_mesh_adaptation/internal/read_obj.h>
+#include <CGAL/Quad_mesh_adaptation/internal/read_off.h>
 #include <CGAL/Quad_mesh_adaptation/internal/read_ply.h>
 #include <CGAL/Quad_mesh_adaptation/internal/soup_check.h>
 
@@ -15,6 +17,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -24,6 +27,7 @@
 #include <string>
 #include <system_error>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,7 +54,7 @@ inline Read_result read_bytes(const std::string& file, std::string& bytes)
 }
 
 // By extension.  Never throws but for lack of memory.
-inline Read_result read_soup(const std::string& file, Polygon_soup& soup)
+inline Read_result read_soup(const std::string& file, Polygon_soup& soup, Mesh_fields* fields)
 {
   const std::string extension = extension_of(file);
   if(extension != "off" && extension != "obj" && extension != "ply")
@@ -59,8 +63,8 @@ inline Read_result read_soup(const std::string& file, Polygon_soup& soup)
   const Read_result result = read_bytes(file, bytes);
   if(!result.ok()) return result;
   if(extension == "off") return read_off(bytes, soup);
-  if(extension == "obj") return read_obj(bytes, soup);
-  return read_ply(bytes, soup);
+  if(extension == "obj") return read_obj(bytes, soup, fields);
+  return read_ply(bytes, soup, fields);
 }
 
 // Precondition: `check_soup()` accepted the soup.  `false` when the mesh type could not take it.
@@ -104,20 +108,56 @@ inline void note_coincident(const Polygon_soup& soup, std::vector<std::string>& 
                   "vertices are not connected");
 }
 
+// After vertices have got other numbers, or -1 where they were left out.
+inline void renumber_vertices(const std::vector<Index>& number, Mesh_fields& fields)
+{
+  for(Scalar_field& field : fields.vertex) {
+    std::size_t kept = 0;
+    for(std::size_t v = 0; v < number.size(); ++v)
+      if(number[v] >= 0) field.values[kept++] = field.values[v];
+    field.values.resize(kept);
+  }
+  const auto is_lost = [&](const std::array<std::size_t, 2>& edge) {
+    return number[edge[0]] < 0 || number[edge[1]] < 0;
+  };
+  fields.edges.erase(std::remove_if(fields.edges.begin(), fields.edges.end(), is_lost),
+                     fields.edges.end());
+  for(std::array<std::size_t, 2>& edge : fields.edges)
+    for(std::size_t& v : edge) v = std::size_t(number[v]);
+}
+
+// A file may hold a second list of vertices or of faces, whose properties differ.
+inline void drop_incomplete(std::vector<Scalar_field>& fields, std::size_t entities)
+{
+  fields.erase(
+      std::remove_if(fields.begin(), fields.end(),
+                     [&](const Scalar_field& field) { return field.values.size() != entities; }),
+      fields.end());
+}
+
 template <class Mesh>
-Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only)
+Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only,
+                      Mesh_fields* fields = nullptr)
 {
   Read_result result;
   try {
     Polygon_soup soup;
-    result = read_soup(file, soup);
+    Mesh_fields read;
+    std::vector<Index> number;
+    result = read_soup(file, soup, fields ? &read : nullptr);
+    drop_incomplete(read.vertex, soup.points.size());
+    drop_incomplete(read.face, soup.faces.size());
     std::vector<std::string> notes = std::move(result.notes);
-    if(result.ok()) result = check_soup(soup, quads_only);
+    if(result.ok()) result = check_soup(soup, quads_only, number);
     result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
     if(result.ok()) note_coincident(soup, result.notes);
     if(result.ok() && !fill_mesh(soup, mesh)) {
       CGAL::clear(mesh);
       result = refuse(Refusal::non_manifold, "the mesh type cannot hold this surface");
+    }
+    if(result.ok() && fields) {
+      renumber_vertices(number, read);
+      *fields = std::move(read);
     }
   } catch(const std::bad_alloc&) {
     result = refuse(Refusal::unreadable_file, "there is not enough memory for it");
@@ -131,8 +171,7 @@ Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only)
 } // namespace internal
 
 /// Reads a quad mesh from an OFF (text), OBJ or PLY (text or binary) file; the format is told by
-/// the extension, in any case.  Colours, normals, texture coordinates and other elements of the
-/// file are ignored.
+/// the extension, in any case.  Colours, normals and texture coordinates are ignored.
 ///
 /// The surface must be an orientable 2-manifold, with or without boundary, of quads that have an
 /// area; it may have several components.  Faces of different orientation are turned (the majority
@@ -153,6 +192,21 @@ template <class QuadMesh>
 Read_result read_quad_mesh(const std::string& file, QuadMesh& mesh)
 {
   return internal::read_mesh(file, mesh, true);
+}
+
+/// The same, and what the file says beside the shape:
+/// - PLY: every property of vertices and faces that is a single number, as a field, and the element
+///   `edge` with its `vertex1` and `vertex2` as marked edges;
+/// - OBJ: groups (`g`) and materials (`usemtl`) as the face field `patch_field`, a patch being the
+///   faces with the same of both, and polylines (`l`) as marked edges;
+/// - OFF: nothing.
+///
+/// \param fields is replaced; vertices and faces are counted in the order of iteration over `mesh`.
+///        Marked edges need not be edges of faces.  Untouched when the file is refused.
+template <class QuadMesh>
+Read_result read_quad_mesh(const std::string& file, QuadMesh& mesh, Mesh_fields& fields)
+{
+  return internal::read_mesh(file, mesh, true, &fields);
 }
 
 /// Reads a surface of any polygons, as `read_quad_mesh()` does with quads; meant for reference

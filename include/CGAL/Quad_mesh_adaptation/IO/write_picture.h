@@ -184,6 +184,12 @@ inline std::string Picture::svg() const
          "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + content + "</svg>\n";
 }
 
+/// Whether `write_picture()` knows the format that the extension of `file` names.
+inline bool is_picture_format_known(const std::string& file)
+{
+  return internal::extension_of(file) == "svg";
+}
+
 /// The SVG text of the picture that `write_picture()` writes; for a `File_transaction` of several
 /// files.
 template <class QuadMesh, class SizingField>
@@ -210,7 +216,7 @@ Write_result write_picture(const std::string& file, const QuadMesh& initial,
                            const SizingField& sizing, const QuadMesh& adapted,
                            const Picture_options& options = {})
 {
-  if(internal::extension_of(file) != "svg")
+  if(!is_picture_format_known(file))
     return { Refusal::unwritable_file, file + ": cannot be written: its name must end in .svg" };
   File_transaction transaction;
   const Write_result result =

@@ -9,6 +9,9 @@
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_formats.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
@@ -31,7 +34,7 @@ std::string quad_mesh_file_contents(const std::string& file, const QuadMesh& mes
   const internal::Polygon_soup soup = internal::soup_of_mesh(mesh);
   const std::string extension = internal::extension_of(file);
   if(extension == "off") return internal::to_off(soup);
-  if(extension == "obj") return internal::to_obj(soup);
+  if(extension == "obj") return internal::to_obj(soup, fields);
   if(extension == "ply") return internal::to_ply(soup, fields);
   if(extension == "vtk") return internal::to_legacy_vtk(soup, fields);
   return internal::to_vtu(soup, fields);
@@ -46,10 +49,13 @@ std::string quad_mesh_file_contents(const std::string& file, const QuadMesh& mes
 /// \tparam QuadMesh a model of `FaceListGraph` with an internal `vertex_point` map
 /// \param file path of the file to write
 /// \param mesh vertices and faces are written in its order of iteration
-/// \param fields numbers per vertex and per face, in the same order; left out by OFF and OBJ,
-///        which cannot hold them
+/// \param fields numbers per vertex and per face, in the same order, and marked edges.  OFF files
+/// hold
+///        none of them, OBJ files patches (as groups) and marked edges (as polylines), PLY files
+///        all but the names of patches, VTK files all numbers.
 /// \return `unwritable_file` with the reason when the extension is not known, a field has not as
-///         many values as the mesh vertices or faces, or the file cannot be written
+///         many values as the mesh vertices or faces, a marked edge names a vertex that is not
+///         there, or the file cannot be written
 template <class QuadMesh>
 Write_result write_quad_mesh(const std::string& file, const QuadMesh& mesh,
                              const Mesh_fields& fields = {})
@@ -62,6 +68,10 @@ Write_result write_quad_mesh(const std::string& file, const QuadMesh& mesh,
   if(!wrong.empty())
     return { Refusal::unwritable_file, file + ": cannot be written: the field \"" + wrong +
                                            "\" has not one value per entity" };
+  for(const std::array<std::size_t, 2>& edge : fields.edges)
+    if((std::max)(edge[0], edge[1]) >= vertices(mesh).size())
+      return { Refusal::unwritable_file,
+               file + ": cannot be written: a marked edge names a vertex that is not there" };
   File_transaction transaction;
   const Write_result result = transaction.stage(file, quad_mesh_file_contents(file, mesh, fields));
   return result.ok() ? transaction.commit() : result;

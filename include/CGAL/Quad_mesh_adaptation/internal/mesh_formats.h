@@ -4,28 +4,18 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MESH_FORMATS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MESH_FORMATS_H
 
+#include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
-
-/// A number per vertex or per face, in the order of iteration over the mesh.
-struct Scalar_field
-{
-  std::string name; ///< letters, digits and underscores; others are written as underscores
-  std::vector<double> values;
-};
-
-/// The fields that go with a mesh into a file.
-struct Mesh_fields
-{
-  std::vector<Scalar_field> vertex, face;
-};
 
 namespace internal {
 
@@ -105,15 +95,32 @@ inline std::string to_off(const Polygon_soup& soup)
   return text;
 }
 
-inline std::string to_obj(const Polygon_soup& soup)
+// What an OBJ file calls a patch: it has words for names, and no numbers.
+inline std::string group_name(const Mesh_fields& fields, double patch)
 {
+  if(patch >= 0 && patch < double(fields.patch_names.size()) && patch == std::floor(patch)) {
+    const std::string& name = fields.patch_names[std::size_t(patch)];
+    return name.empty() ? "default" : name;
+  }
+  std::string text = patch_field + std::string("_");
+  append(text, patch);
+  return text;
+}
+
+inline std::string to_obj(const Polygon_soup& soup, const Mesh_fields& fields)
+{
+  const Scalar_field* patches = Mesh_fields::find(fields.face, patch_field);
   std::string text;
   append_points(text, soup, "v ");
-  for(const Polygon_soup::Face& face : soup.faces) {
+  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    if(patches && (f == 0 || patches->values[f] != patches->values[f - 1]))
+      text += "g " + group_name(fields, patches->values[f]) + '\n';
     text += "f ";
-    append_face(text, face, false, 1);
+    append_face(text, soup.faces[f], false, 1);
     text += '\n';
   }
+  for(const std::array<std::size_t, 2>& edge : fields.edges)
+    text += "l " + std::to_string(edge[0] + 1) + ' ' + std::to_string(edge[1] + 1) + '\n';
   return text;
 }
 
@@ -137,6 +144,9 @@ inline std::string to_ply(const Polygon_soup& soup, const Mesh_fields& fields)
           "\nproperty list uchar int vertex_indices\n";
   for(const Scalar_field& field : fields.face)
     text += "property double " + field_name(field) + '\n';
+  if(!fields.edges.empty())
+    text += "element edge " + std::to_string(fields.edges.size()) +
+            "\nproperty int vertex1\nproperty int vertex2\n";
   text += "end_header\n";
   for(std::size_t v = 0; v < soup.points.size(); ++v) {
     const Vec& p = soup.points[v];
@@ -151,6 +161,8 @@ inline std::string to_ply(const Polygon_soup& soup, const Mesh_fields& fields)
     append_face(text, soup.faces[f], true);
     append_ply_values(text, fields.face, f);
   }
+  for(const std::array<std::size_t, 2>& edge : fields.edges)
+    text += std::to_string(edge[0]) + ' ' + std::to_string(edge[1]) + '\n';
   return text;
 }
 

@@ -4,11 +4,14 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_READ_PLY_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_READ_PLY_H
 
+#include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
 #include <CGAL/Quad_mesh_adaptation/IO/Read_result.h>
+#include <CGAL/Quad_mesh_adaptation/internal/ply_header.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
 #include <CGAL/Quad_mesh_adaptation/internal/text_scanner.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -20,101 +23,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-struct Ply_property
-{
-  std::string name, type, length_type; // length_type is empty but for lists
-};
-
-struct Ply_element
-{
-  std::string name;
-  std::size_t count = 0;
-  std::vector<Ply_property> properties;
-};
-
-struct Ply_header
-{
-  enum class Format
-  {
-    ascii,
-    little_endian,
-    big_endian
-  };
-  Format format = Format::ascii;
-  std::vector<Ply_element> elements;
-  std::size_t end = 0; // offset of the data
-};
-
-// Bytes of a type in binary files, 0 for what is no type.
-inline std::size_t size_of_ply_type(std::string_view type)
-{
-  if(type == "char" || type == "int8" || type == "uchar" || type == "uint8") return 1;
-  if(type == "short" || type == "int16" || type == "ushort" || type == "uint16") return 2;
-  if(type == "int" || type == "int32" || type == "uint" || type == "uint32") return 4;
-  if(type == "float" || type == "float32") return 4;
-  if(type == "double" || type == "float64") return 8;
-  return 0;
-}
-
-inline bool read_ply_property(Word_scanner& words, Ply_property& property)
-{
-  property.type = words.next();
-  if(property.type == "list") {
-    property.length_type = words.next();
-    property.type = words.next();
-    if(size_of_ply_type(property.length_type) == 0) return false;
-  }
-  property.name = words.next();
-  return size_of_ply_type(property.type) > 0 && !property.name.empty();
-}
-
-inline bool read_ply_format(std::string_view word, Ply_header::Format& format)
-{
-  if(word == "ascii")
-    format = Ply_header::Format::ascii;
-  else if(word == "binary_little_endian")
-    format = Ply_header::Format::little_endian;
-  else if(word == "binary_big_endian")
-    format = Ply_header::Format::big_endian;
-  else
-    return false;
-  return true;
-}
-
-inline Read_result read_ply_header(std::string_view text, Ply_header& header)
-{
-  Line_scanner lines(text);
-  std::string_view line;
-  if(!lines.next(line) || Word_scanner(line).next() != "ply")
-    return refuse(Refusal::unreadable_file, "the file does not start with the word ply");
-  while(lines.next(line)) {
-    Word_scanner words(line);
-    const std::string_view keyword = words.next();
-    bool good = true;
-    if(keyword == "end_header") {
-      header.end = (std::min)(lines.position(), text.size());
-      return {};
-    } else if(keyword == "format") {
-      good = read_ply_format(words.next(), header.format);
-    } else if(keyword == "element") {
-      Ply_element element;
-      element.name = words.next();
-      long long count = 0;
-      good = to_number(words.next(), count) && count >= 0;
-      element.count = static_cast<std::size_t>(good ? count : 0);
-      header.elements.push_back(std::move(element));
-    } else if(keyword == "property") {
-      Ply_property property;
-      good = !header.elements.empty() && read_ply_property(words, property);
-      if(good) header.elements.back().properties.push_back(std::move(property));
-    }
-    if(!good)
-      return refuse(Refusal::unreadable_file, "the PLY header cannot be understood in line " +
-                                                  std::to_string(lines.number()));
-  }
-  return refuse(Refusal::unreadable_file, "the file is truncated: its PLY header has no end");
-}
 
 // The numbers of the data part, one after the other, as text or bytes.
 class Ply_data
@@ -179,12 +87,6 @@ struct Ply_item
   std::vector<double> vertices;
 };
 
-inline bool is_vertex_list(const Ply_property& property)
-{
-  return !property.length_type.empty() &&
-         (property.name == "vertex_indices" || property.name == "vertex_index");
-}
-
 inline bool read_ply_item(Ply_data& data, const Ply_element& element, Ply_item& item)
 {
   item.numbers.clear();
@@ -208,15 +110,6 @@ inline bool read_ply_item(Ply_data& data, const Ply_element& element, Ply_item& 
   return true;
 }
 
-// Position of a property of single numbers, or -1.
-inline int find_number(const Ply_element& element, const std::string& name)
-{
-  for(std::size_t i = 0; i < element.properties.size(); ++i)
-    if(element.properties[i].name == name && element.properties[i].length_type.empty())
-      return static_cast<int>(i);
-  return -1;
-}
-
 inline Read_result add_ply_face(const Ply_item& item, std::size_t number_of_points,
                                 Polygon_soup& soup)
 {
@@ -234,56 +127,138 @@ inline Read_result add_ply_face(const Ply_item& item, std::size_t number_of_poin
   return {};
 }
 
-// A property of the vertices that is wanted beside their coordinates.
-struct Ply_vertex_values
+// Reads the elements one after the other.
+class Ply_reader
 {
-  std::string name;
-  std::vector<double> values; // one for each vertex
-};
+public:
+  // `fields`: where what is no shape is to go, or null.
+  Ply_reader(std::string_view bytes, Polygon_soup& soup, Mesh_fields* fields)
+      : bytes_(bytes), soup_(soup), fields_(fields)
+  {
+  }
 
-/// Reads the bytes of a PLY file, text or binary of either order.
-inline Read_result read_ply(std::string_view bytes, Polygon_soup& soup,
-                            Ply_vertex_values* wanted = nullptr)
-{
-  Ply_header header;
-  Read_result result = read_ply_header(bytes, header);
-  if(!result.ok()) return result;
-  constexpr std::size_t max_points = (std::numeric_limits<Index>::max)();
-  std::size_t number_of_points = 0;
-  for(const Ply_element& element : header.elements)
-    if(element.name == "vertex") number_of_points = (std::min)(element.count, max_points);
-
-  Ply_data data(bytes.substr(header.end), header.format);
-  Ply_item item;
-  for(const Ply_element& element : header.elements) {
-    const int x = find_number(element, "x"), y = find_number(element, "y"),
-              z = find_number(element, "z");
-    const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
-    if(is_vertex && (x < 0 || y < 0 || z < 0))
-      return refuse(Refusal::unreadable_file, "the PLY header gives vertices without x, y and z");
-    const int extra = wanted && is_vertex ? find_number(element, wanted->name) : -1;
-    if(wanted && is_vertex && extra < 0)
-      return refuse(Refusal::unreadable_file,
-                    "the PLY header gives vertices without a property " + wanted->name);
-    if(element.properties.empty() && !is_face) continue;
-    if(is_face && std::none_of(element.properties.begin(), element.properties.end(),
-                               [](const Ply_property& p) { return is_vertex_list(p); }))
-      return refuse(Refusal::unreadable_file,
-                    "the PLY header gives faces without a list vertex_indices");
-    for(std::size_t i = 0; i < element.count; ++i) {
-      if(!read_ply_item(data, element, item))
-        return refuse(Refusal::unreadable_file,
-                      "the file is truncated or damaged: its header announces " +
-                          std::to_string(element.count) + " items " + shown(element.name) +
-                          ", the data end or are no numbers at item " + std::to_string(i),
-                      static_cast<long>(i));
-      if(is_vertex) soup.points.emplace_back(item.numbers[x], item.numbers[y], item.numbers[z]);
-      if(extra >= 0) wanted->values.push_back(item.numbers[extra]);
-      if(is_face) result = add_ply_face(item, number_of_points, soup);
+  Read_result operator()()
+  {
+    Ply_header header;
+    Read_result result = read_ply_header(bytes_, header);
+    constexpr std::size_t max_points = (std::numeric_limits<Index>::max)();
+    for(const Ply_element& element : header.elements)
+      if(element.name == "vertex") number_of_points_ = (std::min)(element.count, max_points);
+    if(!result.ok()) return result;
+    Ply_data data(bytes_.substr(header.end), header.format);
+    for(const Ply_element& element : header.elements) {
+      result = read_element(element, data);
       if(!result.ok()) return result;
     }
+    return result;
   }
-  return result;
+
+private:
+  Read_result read_element(const Ply_element& element, Ply_data& data)
+  {
+    const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
+    Read_result result = check_properties(element);
+    if(!result.ok() || (element.properties.empty() && !is_face)) return result;
+    if(is_vertex) find_coordinates(element);
+    const int first = find_number(element, "vertex1"), second = find_number(element, "vertex2");
+    const bool is_edge = fields_ && element.name == "edge" && first >= 0 && second >= 0;
+    std::vector<Scalar_field>* fields = nullptr;
+    if(fields_ && (is_vertex || is_face)) fields = is_vertex ? &fields_->vertex : &fields_->face;
+    if(fields) name_fields(element, *fields);
+    Ply_item item;
+    for(std::size_t i = 0; i < element.count && result.ok(); ++i) {
+      if(!read_ply_item(data, element, item)) return truncated(element, i);
+      if(is_vertex) add_point(item);
+      if(is_face) result = add_ply_face(item, number_of_points_, soup_);
+      if(is_edge) result = add_edge(item.numbers[first], item.numbers[second]);
+      if(fields) add_values(element, item, *fields);
+    }
+    return result;
+  }
+
+  static Read_result check_properties(const Ply_element& element)
+  {
+    if(element.name == "vertex" && (find_number(element, "x") < 0 ||
+                                    find_number(element, "y") < 0 || find_number(element, "z") < 0))
+      return refuse(Refusal::unreadable_file, "the PLY header gives vertices without x, y and z");
+    if(element.name == "face" &&
+       std::none_of(element.properties.begin(), element.properties.end(),
+                    [](const Ply_property& p) { return is_vertex_list(p); }))
+      return refuse(Refusal::unreadable_file,
+                    "the PLY header gives faces without a list vertex_indices");
+    return {};
+  }
+
+  static Read_result truncated(const Ply_element& element, std::size_t item)
+  {
+    return refuse(Refusal::unreadable_file,
+                  "the file is truncated or damaged: its header announces " +
+                      std::to_string(element.count) + " items " + shown(element.name) +
+                      ", the data end or are no numbers at item " + std::to_string(item),
+                  static_cast<long>(item));
+  }
+
+  void find_coordinates(const Ply_element& element)
+  {
+    coordinates_ = { find_number(element, "x"), find_number(element, "y"),
+                     find_number(element, "z") };
+  }
+
+  void add_point(const Ply_item& item)
+  {
+    soup_.points.emplace_back(item.numbers[coordinates_[0]], item.numbers[coordinates_[1]],
+                              item.numbers[coordinates_[2]]);
+  }
+
+  Read_result add_edge(double first, double second)
+  {
+    for(const double v : { first, second })
+      if(!(v >= 0 && v < double(number_of_points_) && v == std::floor(v)))
+        return refuse(Refusal::unreadable_file,
+                      "edge " + std::to_string(fields_->edges.size()) +
+                          " has a vertex number that is not one from 0 to " +
+                          std::to_string(static_cast<long long>(number_of_points_) - 1),
+                      static_cast<long>(fields_->edges.size()));
+    fields_->edges.push_back({ std::size_t(first), std::size_t(second) });
+    return {};
+  }
+
+  // Is that property neither shape nor a list?
+  static bool is_field(const Ply_element& element, const Ply_property& property)
+  {
+    const std::string& name = property.name;
+    const bool is_coordinate = name == "x" || name == "y" || name == "z";
+    return property.length_type.empty() && !(element.name == "vertex" && is_coordinate);
+  }
+
+  static void name_fields(const Ply_element& element, std::vector<Scalar_field>& fields)
+  {
+    for(const Ply_property& property : element.properties)
+      if(is_field(element, property)) fields.push_back({ property.name, {} });
+  }
+
+  static void add_values(const Ply_element& element, const Ply_item& item,
+                         std::vector<Scalar_field>& fields)
+  {
+    std::size_t field = 0;
+    for(std::size_t i = 0; i < element.properties.size(); ++i)
+      if(is_field(element, element.properties[i]))
+        fields[field++].values.push_back(item.numbers[i]);
+  }
+
+  std::string_view bytes_;
+  Polygon_soup& soup_;
+  Mesh_fields* fields_;
+  std::size_t number_of_points_ = 0;
+  std::array<int, 3> coordinates_ = {};
+};
+
+/// Reads the bytes of a PLY file, text or binary of either order; also the single numbers at its
+/// vertices and faces, and its edges, where `fields` are asked for.
+inline Read_result read_ply(std::string_view bytes, Polygon_soup& soup,
+                            Mesh_fields* fields = nullptr)
+{
+  return Ply_reader(bytes, soup, fields)();
 }
 
 } // namespace internal

@@ -109,10 +109,11 @@ inline Read_result check_geometry(const Polygon_soup& soup)
   return {};
 }
 
-// Vertices that no face uses are of no use to anybody.
-inline std::size_t drop_isolated_points(Polygon_soup& soup)
+// Vertices that no face uses are of no use to anybody.  `number`: what the others are called then,
+// -1 for those.
+inline std::size_t drop_isolated_points(Polygon_soup& soup, std::vector<Index>& number)
 {
-  std::vector<Index> number(soup.points.size(), -1);
+  number.assign(soup.points.size(), -1);
   for(const Polygon_soup::Face& face : soup.faces)
     for(const Index v : face) number[v] = 0;
   Index kept = 0;
@@ -132,8 +133,8 @@ inline std::size_t drop_isolated_points(Polygon_soup& soup)
 /// and makes it one where only the order of vertices is at fault: faces are turned so that each
 /// component is oriented alike (the orientation of the majority stays), isolated vertices are
 /// dropped; both is told in `notes`.  Coincident vertices are not merged.  On refusal the soup may
-/// have been changed.
-inline Read_result check_soup(Polygon_soup& soup, bool quads_only)
+/// have been changed.  `number`: the new number of each vertex, -1 for those that were dropped.
+inline Read_result check_soup(Polygon_soup& soup, bool quads_only, std::vector<Index>& number)
 {
   if(soup.points.empty() || soup.faces.empty())
     return refuse(Refusal::empty_mesh,
@@ -153,7 +154,7 @@ inline Read_result check_soup(Polygon_soup& soup, bool quads_only)
   if(turned > 0)
     result.notes.push_back(std::to_string(turned) + (turned == 1 ? " face was" : " faces were") +
                            " turned to orient the surface consistently");
-  const std::size_t dropped = drop_isolated_points(soup);
+  const std::size_t dropped = drop_isolated_points(soup, number);
   if(dropped > 0)
     result.notes.push_back(std::to_string(dropped) +
                            (dropped == 1 ? " vertex that no face uses was left out"

@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_READ_OFF_OBJ_H
-#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_READ_OFF_OBJ_H
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_READ_OFF_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_READ_OFF_H
 
 #include <CGAL/Quad_mesh_adaptation/IO/Read_result.h>
+#include <CGAL/Quad_mesh_adaptation/internal/file_lines.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
 #include <CGAL/Quad_mesh_adaptation/internal/text_scanner.h>
 
@@ -12,25 +13,9 @@
 #include <string>
 #include <string_view>
 
-// Why not CGAL's own polygon soup readers: on malformed bytes they are undefined (a negative
-// colour index or a missing colour reads out of bounds, a face degree is allocated unseen), they
-// turn "nan" into a plain failure, and they cannot say which line is wrong.
-
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-inline std::string at_line(std::size_t line) { return " in line " + std::to_string(line); }
-
-// The three coordinates at the front of a line.
-inline bool read_coordinates(Word_scanner& words, Vec& point)
-{
-  double c[3];
-  for(double& value : c)
-    if(!to_number(words.next(), value)) return false;
-  point = Vec(c[0], c[1], c[2]);
-  return true;
-}
 
 struct Off_counts
 {
@@ -156,63 +141,8 @@ inline Read_result read_off(std::string_view text, Polygon_soup& soup)
   return result;
 }
 
-inline Read_result read_obj_face(Word_scanner words, std::size_t line, Polygon_soup& soup)
-{
-  const long number = static_cast<long>(soup.faces.size());
-  Polygon_soup::Face face;
-  for(std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    // "vertex/texture/normal": only the vertex counts
-    const std::string_view vertex = word.substr(0, word.find('/'));
-    const long long size = static_cast<long long>(soup.points.size());
-    long long value = 0;
-    if(!to_number(vertex, value) || value == 0 || value > size || value < -size)
-      return refuse(Refusal::unreadable_file,
-                    "face " + std::to_string(number) + " has the vertex number " + shown(vertex) +
-                        ", but only " + std::to_string(size) + " vertices come before it" +
-                        at_line(line),
-                    number);
-    face.push_back(static_cast<Index>(value > 0 ? value - 1 : size + value));
-  }
-  soup.faces.push_back(std::move(face));
-  return {};
-}
-
-/// Reads the vertices and faces of the text of an OBJ file; everything else in it is ignored.
-inline Read_result read_obj(std::string_view text, Polygon_soup& soup)
-{
-  Line_scanner lines(text);
-  std::string_view line;
-  std::string joined;
-  while(lines.next(line)) {
-    // a backslash continues a line
-    joined.assign(line);
-    std::size_t last = joined.find_last_not_of(" \t\r");
-    while(last != std::string::npos && joined[last] == '\\' && lines.next(line)) {
-      joined.resize(last);
-      joined.append(" ").append(line);
-      last = joined.find_last_not_of(" \t\r");
-    }
-    Word_scanner words(joined);
-    const std::string_view keyword = words.next();
-    if(keyword == "v") {
-      Vec point;
-      const long number = static_cast<long>(soup.points.size());
-      if(!read_coordinates(words, point))
-        return refuse(Refusal::unreadable_file,
-                      "vertex " + std::to_string(number) + " has no three coordinates" +
-                          at_line(lines.number()),
-                      number);
-      soup.points.push_back(point);
-    } else if(keyword == "f") {
-      const Read_result result = read_obj_face(words, lines.number(), soup);
-      if(!result.ok()) return result;
-    }
-  }
-  return {};
-}
-
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL
 
-#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_READ_OFF_OBJ_H
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_READ_OFF_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUAD_ADAPT_MESH_SETS_H
+#define QUAD_ADAPT_MESH_SETS_H
+
+#include "Sizes.h"
+
+#include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Patches, marked edges and fixed vertices of a mesh: taken from what its file says, kept by the
+/// adaptation, and written with the result.
+class Mesh_sets
+{
+public:
+  using Patch_map = Mesh::Property_map<Mesh::Face_index, double>;
+  using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+  using Vertex_map = Mesh::Property_map<Mesh::Vertex_index, bool>;
+
+  /// The mesh has no sets until take() has found some.
+  explicit Mesh_sets(Mesh& mesh)
+      : mesh_(mesh), patch_(mesh.add_property_map<Mesh::Face_index, double>("f:patch", 0.).first),
+        is_marked_(mesh.add_property_map<Mesh::Edge_index, bool>("e:is_marked", false).first),
+        is_fixed_(mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_fixed", false).first)
+  {
+  }
+
+  /// 0, or the exit code after having said why.  `notes`: what is left out.
+  int take(const QMA::Mesh_fields& fields, std::vector<std::string>& notes)
+  {
+    patch_names_ = fields.patch_names;
+    if(const auto* patches = QMA::Mesh_fields::find(fields.face, QMA::patch_field)) {
+      has_patches_ = true;
+      for(const Mesh::Face_index f : mesh_.faces()) {
+        put(patch_, f, patches->values[f]);
+        if(!std::isfinite(patches->values[f]))
+          return refuse("the patch of face " + std::to_string(f) + " is not a finite number");
+      }
+    }
+    if(const auto* fixed = QMA::Mesh_fields::find(fields.vertex, fixed_field)) {
+      has_fixed_ = true;
+      for(const Mesh::Vertex_index v : mesh_.vertices()) put(is_fixed_, v, fixed->values[v] != 0);
+    }
+    mark(fields.edges, notes);
+    return 0;
+  }
+
+  Patch_map patches() const { return patch_; }
+  Edge_map marked_edges() const { return is_marked_; }
+  Vertex_map fixed_vertices() const { return is_fixed_; }
+
+  bool are_any() const { return has_patches_ || has_marked_ || has_fixed_; }
+
+  /// Those of the mesh as it is now, to be written with it.
+  void add_to(QMA::Mesh_fields& fields) const
+  {
+    fields.patch_names = patch_names_;
+    if(has_patches_) {
+      fields.face.push_back({ QMA::patch_field, {} });
+      for(const Mesh::Face_index f : mesh_.faces())
+        fields.face.back().values.push_back(get(patch_, f));
+    }
+    if(has_fixed_) {
+      fields.vertex.push_back({ fixed_field, {} });
+      for(const Mesh::Vertex_index v : mesh_.vertices())
+        fields.vertex.back().values.push_back(get(is_fixed_, v));
+    }
+    std::map<Mesh::Vertex_index, std::size_t> number;
+    if(has_marked_)
+      for(const Mesh::Vertex_index v : mesh_.vertices()) number.emplace(v, number.size());
+    for(const Mesh::Edge_index e : mesh_.edges())
+      if(has_marked_ && get(is_marked_, e))
+        fields.edges.push_back({ number.at(mesh_.vertex(e, 0)), number.at(mesh_.vertex(e, 1)) });
+  }
+
+private:
+  static constexpr const char* fixed_field = "fixed";
+
+  void mark(const std::vector<std::array<std::size_t, 2>>& edges, std::vector<std::string>& notes)
+  {
+    std::size_t lost = 0;
+    for(const auto& edge : edges) {
+      const Mesh::Halfedge_index h = mesh_.halfedge(Mesh::Vertex_index(Mesh::size_type(edge[0])),
+                                                    Mesh::Vertex_index(Mesh::size_type(edge[1])));
+      if(h == Mesh::null_halfedge())
+        ++lost;
+      else
+        put(is_marked_, mesh_.edge(h), true);
+    }
+    has_marked_ = lost < edges.size();
+    if(lost > 0)
+      notes.push_back(std::to_string(lost) + " of the " + std::to_string(edges.size()) +
+                      " marked edges are no edges of faces and are left out");
+  }
+
+  Mesh& mesh_;
+  Patch_map patch_;
+  Edge_map is_marked_;
+  Vertex_map is_fixed_;
+  std::vector<std::string> patch_names_;
+  bool has_patches_ = false, has_marked_ = false, has_fixed_ = false;
+};
+
+#endif // QUAD_ADAPT_MESH_SETS_H
