@@ -4,6 +4,7 @@
 // quad_adapt INPUT OUTPUT (--size H | --size-function EXPR | ...) [options]
 // Adapts a quad mesh in a file to sizes; see quad_adapt --help.
 
+#include "quad_adapt/Carried_fields.h"
 #include "quad_adapt/Mesh_sets.h"
 #include "quad_adapt/Options.h"
 #include "quad_adapt/Progress.h"
@@ -33,6 +34,7 @@ struct Inputs
   Mesh mesh, reference;
   QMA::Mesh_fields fields;       // of the mesh as it was read
   std::optional<Mesh_sets> sets; // of the mesh, once it has been read
+  Carried_fields carried;
 };
 
 // 0, or the exit code after having said why.
@@ -43,6 +45,7 @@ int read_inputs(const Options& options, Inputs& in)
   in.sets.emplace(in.mesh);
   const int exit_code = options.ignores_sets ? 0 : in.sets->take(in.fields, result.notes);
   if(exit_code != 0) return exit_code;
+  if(QMA::can_hold_fields(options.output)) in.carried.take(in.mesh, in.fields, result.notes);
   if(!options.is_quiet)
     for(const std::string& note : result.notes)
       std::cerr << "quad_adapt: note: " << options.input << ": " << note << '\n';
@@ -68,6 +71,7 @@ int write_outputs(const Options& options, const Size_function& size, const Mesh&
 {
   QMA::Mesh_fields fields = size_and_quality_fields(in.mesh, size);
   in.sets->add_to(fields);
+  in.carried.add_to(in.mesh, fields);
   QMA::File_transaction files;
   QMA::Write_result result =
       files.stage(options.output, QMA::quad_mesh_file_contents(options.output, in.mesh, fields));

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quad_mesh_adaptation/IO/read_nodal_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/Nodal_field.h>
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/limit_size_gradation.h>
+#include <CGAL/adapt_quad_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -20,6 +22,7 @@
 #include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
+using QMA::Nodal_field;
 using QMA::Nodal_sizing_field;
 
 namespace {
@@ -153,6 +156,34 @@ TEST(Nodal_sizing_field, refuses_bad_sizes_and_empty_meshes)
   Mesh empty;
   auto sizes = empty.add_property_map<Vertex, double>("v:size", 1.).first;
   EXPECT_THROW(Nodal_sizing_field(empty, sizes), std::invalid_argument);
+}
+
+TEST(Nodal_field, carries_a_linear_field_over_to_an_adapted_mesh)
+{
+  Background b(9);
+  const auto linear = [](const Point& p) { return 5 - 3 * p.x() + 0.5 * p.y(); };
+  b.set(linear);
+  const Nodal_field field(b.mesh, b.sizes);
+  ASSERT_TRUE(QMA::adapt_quad_mesh([](const Point& p) { return 0.5 + 0.2 * p.x(); }, b.mesh)
+                  .has_valid_mesh());
+  ASSERT_GT(b.mesh.number_of_faces(), 50u);
+  for(Vertex v : b.mesh.vertices())
+    EXPECT_NEAR(field(b.mesh.point(v)), linear(b.mesh.point(v)), 1e-12);
+}
+
+TEST(Nodal_field, refuses_what_is_not_finite_and_what_has_no_area)
+{
+  for(double bad : { std::nan(""), -std::numeric_limits<double>::infinity() }) {
+    Background b(2);
+    b.sizes[Vertex(4)] = bad;
+    EXPECT_THROW(Nodal_field(b.mesh, b.sizes), std::invalid_argument);
+  }
+  const std::vector<Point> points = { Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0) };
+  const std::vector<std::vector<int>> line = { { 0, 1, 2 } }, none = { { 0, 1, 3 } };
+  const std::vector<double> values = { -1, 0, 1 };
+  EXPECT_THROW(Nodal_field(points, line, values), std::invalid_argument);
+  EXPECT_THROW(Nodal_field(points, none, values), std::invalid_argument);
+  EXPECT_THROW(Nodal_field(points, line, std::vector<double>(2)), std::invalid_argument);
 }
 
 TEST(Limit_size_gradation, a_single_small_size_spreads_as_a_cone)

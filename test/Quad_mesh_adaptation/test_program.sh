@@ -187,6 +187,13 @@ expect 0 '' sets.ply free.obj --size 1.9 --ignore-sets --quiet
 grep -q '^[gl] ' free.obj && fail "--ignore-sets kept something"
 sed 's/^\(element edge\) 8$/\1 9/; $a 0 80' sets.ply >stray.ply
 expect 0 '1 of the 9 marked edges' stray.ply out.ply --size 2
+# other numbers at vertices are carried over
+sed 's/^property uchar fixed$/property double heat/; s/^\([0-9]* [0-9]* 0\) [01]$/\1 \1/' sets.ply |
+  awk 'NF == 6 && $3 == 0 && $6 == 0 { print $1, $2, $3, 100 + 3 * $1 - 2 * $2; next } { print }' >heat.ply
+expect 0 '' heat.ply heat_out.ply --size 0.8 --quiet
+awk '/^property double/ && !face { n++; if($3 == "heat") at = n } /^element face/ { face = 1 }
+  /^end_header/ { data = 1; next } data && at && NF == n { k++; d = $at - (100 + 3 * $1 - 2 * $2); if(d * d > 1e-18) off++ }
+  END { exit !(at > 0 && k > 100 && off == 0) }' heat_out.ply || fail "a field was not carried over"
 # sizes from error indicators
 expect 0 '' sets.ply error.off --error eta --error-reduction 0.2 --ignore-sets --quiet
 expect 0 '' sets.ply error_faces.off --error eta --error-faces 400 --ignore-sets --quiet

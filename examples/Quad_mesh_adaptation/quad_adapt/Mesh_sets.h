@@ -24,6 +24,8 @@ public:
   using Patch_map = Mesh::Property_map<Mesh::Face_index, double>;
   using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   using Vertex_map = Mesh::Property_map<Mesh::Vertex_index, bool>;
+  /// Name of the vertex field that is not zero where vertices are fixed.
+  static constexpr const char* fixed_field = "fixed";
 
   /// The mesh has no sets until take() has found some.
   explicit Mesh_sets(Mesh& mesh)
@@ -82,8 +84,6 @@ public:
   }
 
 private:
-  static constexpr const char* fixed_field = "fixed";
-
   void mark(const std::vector<std::array<std::size_t, 2>>& edges, std::vector<std::string>& notes)
   {
     std::size_t lost = 0;

@@ -25,6 +25,13 @@ inline bool is_mesh_format_known(const std::string& file)
          extension == "vtu";
 }
 
+/// Whether that format holds numbers at vertices and faces.
+inline bool can_hold_fields(const std::string& file)
+{
+  const std::string extension = internal::extension_of(file);
+  return extension == "ply" || extension == "vtk" || extension == "vtu";
+}
+
 /// The contents of the file that `write_quad_mesh()` would write; for a `File_transaction` of
 /// several files.  Precondition: `is_mesh_format_known(file)` and fields of the right lengths.
 template <class QuadMesh>
