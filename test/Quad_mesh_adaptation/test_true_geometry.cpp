@@ -23,6 +23,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -328,6 +329,26 @@ TEST(Distance, ReportAgreesWithDenseSampling)
   EXPECT_NEAR(report.after.mesh_to_reference, off, 0.05 * off);
   EXPECT_NEAR(report.after.reference_to_mesh, off, 0.05 * off);
   EXPECT_GT(report.before.mesh_to_reference, 0);
+}
+
+// Somebody who mixes millimetres and metres is told.
+TEST(Distance, ReferencesElsewhereAreTold)
+{
+  const auto is_told = [](double scale) {
+    Shape sphere = more_shapes::sphere(20);
+    for(Vec& p : sphere.points) p = scale * p;
+    const Mesh reference = zoo_mesh::make<Mesh, Point>(sphere);
+    Mesh mesh = zoo_mesh::make<Mesh, Point>(more_shapes::sphere(4));
+    const QMA::Adaptation_report report =
+        QMA::adapt_quad_mesh(0.4 * scale, mesh, QMA::reference_surface(reference));
+    EXPECT_TRUE(report.has_valid_mesh()) << report.message;
+    return std::any_of(report.advice.begin(), report.advice.end(), [](const std::string& text) {
+      return text.find("away from the reference surface") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(is_told(1));
+  EXPECT_FALSE(is_told(1.1));
+  EXPECT_TRUE(is_told(10));
 }
 
 // What is far from the mesh is seen from the reference only: a mesh that closes over a dent.

@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Frozen_edges.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Positions.h>
+#include <CGAL/Quad_mesh_adaptation/internal/advise_on_reference.h>
 #include <CGAL/Quad_mesh_adaptation/internal/advise_on_result.h>
 #include <CGAL/Quad_mesh_adaptation/internal/check_feature_angle.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
@@ -205,6 +206,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     build_state(in, features, geometry, s);
     count_features(s, report);
     advise_on_tangles(s, report);
+    if(reference) advise_on_reference(in, s, report);
     std::optional<Figures_of_faces> kept(in);
     report.before = measured_state(s, reference, &*kept);
     if(!fits_mostly(report.before.strict_size_ratio)) kept.reset();

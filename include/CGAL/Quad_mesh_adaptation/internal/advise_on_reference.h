@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADVISE_ON_REFERENCE_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADVISE_ON_REFERENCE_H
+
+#include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+
+#include <cstddef>
+#include <sstream>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+inline double mean_edge_length(const Input_mesh& in)
+{
+  double sum = 0;
+  for(const auto& quad : in.quads)
+    for(std::size_t i = 0; i < 4; ++i)
+      sum += distance(in.points[quad[i]], in.points[quad[(i + 1) % 4]]);
+  return sum / double(4 * in.quads.size());
+}
+
+// Tells of vertices that had to go far to come to the reference surface: no coarse mesh of it has
+// them farther away than an edge is long, but one of another part, or in other units, has.
+inline void advise_on_reference(const Input_mesh& in, const Adaptation_state& s,
+                                Adaptation_report& report)
+{
+  const double edge = mean_edge_length(in);
+  double farthest = 0;
+  Index which = -1;
+  for(Index v = 0; v < Index(in.points.size()); ++v) {
+    if(!s.mesh.is_vertex(v)) continue;
+    const double moved = distance(in.points[v], s.mesh.point(v));
+    if(moved <= farthest) continue;
+    farthest = moved;
+    which = v;
+  }
+  if(farthest <= edge) return;
+  const Vec p = in.points[std::size_t(which)];
+  std::ostringstream text;
+  text << "the vertex of the input at (" << p.x() << ", " << p.y() << ", " << p.z() << ") lies "
+       << farthest << " away from the reference surface, " << farthest / edge
+       << " mean edge lengths: are both of the same part, at the same place and in the same units?";
+  report.advice.push_back(text.str());
+}
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADVISE_ON_REFERENCE_H
