@@ -187,6 +187,7 @@ expect 0 '' sets.ply free.obj --size 1.9 --ignore-sets --quiet
 grep -q '^[gl] ' free.obj && fail "--ignore-sets kept something"
 sed 's/^\(element edge\) 8$/\1 9/; $a 0 80' sets.ply >stray.ply
 expect 0 '1 of the 9 marked edges' stray.ply out.ply --size 2
+expect 0 'kept: 2 patches, 8 marked edges, 1 fixed vertex;' sets.ply out.ply --size 2
 # other numbers at vertices are carried over
 sed 's/^property uchar fixed$/property double heat/; s/^\([0-9]* [0-9]* 0\) [01]$/\1 \1/' sets.ply |
   awk 'NF == 6 && $3 == 0 && $6 == 0 { print $1, $2, $3, 100 + 3 * $1 - 2 * $2; next } { print }' >heat.ply
@@ -200,7 +201,7 @@ expect 0 '' sets.ply error_faces.off --error eta --error-faces 400 --ignore-sets
 [ "$(faces error.off)" -gt 64 ] || fail "--error-reduction refined nothing"
 [ "$(faces error_faces.off)" -gt 320 ] && [ "$(faces error_faces.off)" -lt 480 ] ||
   fail "--error-faces 400 gave $(faces error_faces.off) faces"
-expect 1 'no property "theta"' sets.ply out.off --error theta --error-target 1
+expect 1 'no property "theta"' sets.ply out.off --error theta --error-target 1 --quiet
 expect 2 'needs one of' sets.ply out.off --error eta
 expect 2 'needs one of' sets.ply out.off --error eta --error-faces 9 --error-target 1
 expect 2 'error' sets.ply out.off --size 1 --error-faces 9

@@ -8,10 +8,12 @@
 
 #include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +37,7 @@ public:
   {
   }
 
-  /// 0, or the exit code after having said why.  `notes`: what is left out.
+  /// 0, or the exit code after having said why.  `notes`: what is found, and what is left out.
   int take(const QMA::Mesh_fields& fields, std::vector<std::string>& notes)
   {
     patch_names_ = fields.patch_names;
@@ -52,14 +54,14 @@ public:
       for(const Mesh::Vertex_index v : mesh_.vertices()) put(is_fixed_, v, fixed->values[v] != 0);
     }
     mark(fields.edges, notes);
+    const std::string kept = summary();
+    if(!kept.empty()) notes.push_back(kept + "; --ignore-sets leaves them out");
     return 0;
   }
 
   Patch_map patches() const { return patch_; }
   Edge_map marked_edges() const { return is_marked_; }
   Vertex_map fixed_vertices() const { return is_fixed_; }
-
-  bool are_any() const { return has_patches_ || has_marked_ || has_fixed_; }
 
   /// Those of the mesh as it is now, to be written with it.
   void add_to(QMA::Mesh_fields& fields) const
@@ -84,6 +86,29 @@ public:
   }
 
 private:
+  std::string summary() const
+  {
+    std::set<double> patches;
+    for(const Mesh::Face_index f : mesh_.faces()) patches.insert(get(patch_, f));
+    std::string text;
+    const auto add = [&](std::size_t number, const char* one, const char* many) {
+      if(number > 0)
+        text +=
+            (text.empty() ? "kept: " : ", ") + std::to_string(number) + (number == 1 ? one : many);
+    };
+    add(has_patches_ ? patches.size() : 0, " patch", " patches");
+    add(number_in(mesh_.edges(), is_marked_), " marked edge", " marked edges");
+    add(number_in(mesh_.vertices(), is_fixed_), " fixed vertex", " fixed vertices");
+    return text;
+  }
+
+  template <class Range, class Map>
+  static std::size_t number_in(const Range& entities, const Map& set)
+  {
+    return std::size_t(std::count_if(entities.begin(), entities.end(),
+                                     [&](auto entity) { return get(set, entity); }));
+  }
+
   void mark(const std::vector<std::array<std::size_t, 2>>& edges, std::vector<std::string>& notes)
   {
     std::size_t lost = 0;
