@@ -36,6 +36,16 @@ function(quad_mesh_link target)
   endforeach()
 endfunction()
 
+# Links the whole compiled core before the objects of `target`: of inline functions that both have,
+# the linker keeps the first, here those of the core, which may be compiled with other options.
+function(quad_mesh_core_first target)
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    target_link_options(${target} PRIVATE
+      LINKER:--whole-archive $<TARGET_FILE:quad_mesh_core> LINKER:--no-whole-archive)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS $<TARGET_FILE:quad_mesh_core>)
+  endif()
+endfunction()
+
 # Sets `result` to ON when all named libraries are there; if not, says what `target` lacks.
 function(quad_mesh_check_libraries result target)
   set(missing "")
