@@ -36,6 +36,25 @@ function(quad_mesh_link target)
   endforeach()
 endfunction()
 
+# The compiled core does most of the work and is optimized as ever.  For the sources of tests and of
+# examples that costs more time than it saves when they run.
+set(default_test_options "")
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(default_test_options -O1)
+endif()
+set(QUAD_MESH_ADAPTATION_TEST_OPTIONS "${default_test_options}" CACHE STRING
+  "Further options of the compiler for the sources of tests and of examples")
+
+# Links the whole compiled core before the objects of `target`: of inline functions that both have,
+# the linker keeps the first, here those of the core, which may be compiled with other options.
+function(quad_mesh_core_first target)
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    target_link_options(${target} PRIVATE
+      LINKER:--whole-archive $<TARGET_FILE:quad_mesh_core> LINKER:--no-whole-archive)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS $<TARGET_FILE:quad_mesh_core>)
+  endif()
+endfunction()
+
 # Sets `result` to ON when all named libraries are there; if not, says what `target` lacks.
 function(quad_mesh_check_libraries result target)
   set(missing "")

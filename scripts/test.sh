@@ -4,8 +4,9 @@
 #
 # test.sh              installs what is missing, builds the tests in build/release, runs them all
 # test.sh --headers    compiles every header on its own as well
-# test.sh --sanitize   a core of the tests with the address and undefined-behaviour sanitizers
-# test.sh --cgal6      public headers, examples and a core of the tests with CGAL 6
+# test.sh --sanitize   tests of memory and topology with the address and undefined-behaviour sanitizers
+# test.sh --cgal6      public headers, examples and tests of the interfaces of CGAL with CGAL 6
+# test.sh --sanitize --all, --cgal6 --all   the same with the whole core of the tests, about twice as many
 # test.sh --long       more than 1000 random runs instead, an hour or two; QUAD_MESH_SEED repeats them
 
 set -euo pipefail
@@ -14,8 +15,10 @@ cd "$(dirname "$0")/.."
 folder=release
 targets="all"
 options=(-DCMAKE_BUILD_TYPE=Release)
+label=""
 selection=()
 is_long=no
+is_whole_core=no
 for argument in "$@"; do
   case $argument in
     --headers)
@@ -24,18 +27,23 @@ for argument in "$@"; do
       ;;
     --sanitize)
       folder=sanitize
-      targets="core_tests"
+      label=sanitize
+      targets=""
       options+=(-DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=-O1 -g1"
+        -DQUAD_MESH_ADAPTATION_TEST_OPTIONS=-O0
         -DQUAD_MESH_ADAPTATION_SANITIZE=ON -DQUAD_MESH_ADAPTATION_EXAMPLES=OFF)
       # but for two that take minutes there and do much that others do as well
-      selection=(-L core -E "Adapt_region.RefinedOnSurfaceMesh|Distance.BoundIsMetOrTheFacesAreNamed")
+      selection=(-E "Adapt_region.RefinedOnSurfaceMesh|Distance.BoundIsMetOrTheFacesAreNamed")
       ;;
     --cgal6)
       folder=cgal6_tests
-      targets="public_header_checks examples core_tests"
+      label=cgal6
+      targets="public_header_checks examples"
       options+=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1
-        -DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
-      selection=(-L core)
+        -DQUAD_MESH_ADAPTATION_TEST_OPTIONS=-O0 -DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
+      ;;
+    --all)
+      is_whole_core=yes
       ;;
     --long)
       is_long=yes
@@ -48,6 +56,12 @@ for argument in "$@"; do
       ;;
   esac
 done
+
+[[ -z $label || $is_whole_core == no ]] || label=core
+if [[ -n $label ]]; then
+  targets+=" ${label}_tests"
+  selection+=(-L "^$label\$")
+fi
 
 scripts/install_dependencies.sh
 if [[ $folder == cgal6_tests ]]; then

@@ -4,14 +4,11 @@
 // adapt_quad_mesh() on whole meshes: shapes, types of mesh, kernels, both schedules.
 
 #include "support/state_fixture.h"
-
-#include <CGAL/adapt_quad_mesh.h>
-#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_measures.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -228,7 +225,7 @@ TEST(Adapt_quad_mesh, FacesFarFromTheChangeKeepTheirDescriptors)
   const Shape shape = shape_zoo::plate(24, 12);
   const Mesh before = zoo_mesh::make<Mesh, Cartesian::Point_3>(shape);
   Mesh mesh = before;
-  const auto size = [](const Cartesian::Point_3& p) { return p.x() < 3 ? 0.4 : 1.02; };
+  const usual_mesh::Size size = [](const Cartesian::Point_3& p) { return p.x() < 3 ? 0.4 : 1.02; };
   const Adaptation_report report = QMA::adapt_quad_mesh(size, mesh);
   ASSERT_TRUE(report.has_valid_mesh());
   std::size_t kept = 0;

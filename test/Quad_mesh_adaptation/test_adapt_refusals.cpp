@@ -3,13 +3,9 @@
 
 // Calls that are refused, cancelled or end by an exception leave the mesh as it was.
 
-#include "support/zoo_mesh.h"
-
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
 
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -25,10 +21,10 @@ namespace QMA = CGAL::Quad_mesh_adaptation;
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using usual_mesh::Size;
+using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
 using QMA::Adaptation_report;
 using QMA::Adaptation_status;
 using QMA::Refusal;
@@ -186,7 +182,7 @@ TEST(Refused_sizes, Functions)
     for(double radius : { 10., 0.3, 0.02 }) {
       Mesh mesh = plate();
       const Mesh before = mesh;
-      const auto size = [=](const Point& p) {
+      const Size size = [=](const Point& p) {
         const double d = std::hypot(p.x() - 3.1, p.y() - 1.9);
         return d < radius ? bad : 0.02 + 0.1 * d;
       };
@@ -210,7 +206,7 @@ long calls_of_size(double h)
 {
   long calls = 0;
   M mesh = zoo_mesh::make<M, Point>(shape_zoo::plate());
-  QMA::adapt_quad_mesh([&](const Point&) { return ++calls, h; }, mesh);
+  QMA::adapt_quad_mesh(Size([&](const Point&) { return ++calls, h; }), mesh);
   return calls;
 }
 
@@ -225,7 +221,7 @@ void expect_exception_passes()
     M mesh = zoo_mesh::make<M, Point>(shape_zoo::plate());
     const M before = mesh;
     long calls = 0;
-    const auto size = [&](const Point&) {
+    const Size size = [&](const Point&) {
       if(++calls == n) throw My_error("no size here");
       return h;
     };

@@ -3,14 +3,10 @@
 
 // adapt_quad_mesh() on a region, and under constraints.
 
-#include "support/zoo_mesh.h"
-
-#include <CGAL/adapt_quad_mesh.h>
-#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_measures.h"
 
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -24,10 +20,9 @@ namespace QMA = CGAL::Quad_mesh_adaptation;
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
 using QMA::Adaptation_report;
 using shape_zoo::Index;
 using shape_zoo::Shape;

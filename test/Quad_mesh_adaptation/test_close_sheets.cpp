@@ -4,11 +4,7 @@
 // No node changes to a wrong sheet, and features stay, whether a mesh is refined or coarsened.
 
 #include "support/more_shapes.h"
-#include "support/zoo_mesh.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
 
 #include <gtest/gtest.h>
 
@@ -24,12 +20,12 @@
 namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using more_shapes::Index;
 using more_shapes::Quad;
 using more_shapes::Shape;
 using more_shapes::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 struct Adapted
 {
@@ -126,7 +122,7 @@ TEST(Close_sheets, TwoParallelSheets)
 {
   const double gap = 0.08; // a hundredth of their size
   const Shape sheets = more_shapes::two_sheets(gap);
-  const auto graded = [](const Point& p) { return 0.25 + 0.3 * p.x(); };
+  const usual_mesh::Size graded = [](const Point& p) { return 0.25 + 0.3 * p.x(); };
   for(const Adapted& a : { adapt(sheets, 0.4), adapt(sheets, 3.), adapt(sheets, graded) })
     for(const Quad& q : a.shape.quads) {
       const double z = normal_of(a.shape, q).z() > 0 ? 0 : -gap;
@@ -182,7 +178,7 @@ TEST(Close_sheets, ThinBox)
   const double thickness = 0.08;
   const Shape box = more_shapes::thin_box(thickness);
   const double edges = crease_length(box);
-  const auto graded = [](const Point& p) { return 0.2 + 0.2 * p.y(); };
+  const usual_mesh::Size graded = [](const Point& p) { return 0.2 + 0.2 * p.y(); };
   for(const Adapted& a : { adapt(box, graded), adapt(box, 2.) }) {
     EXPECT_EQ(a.report.patches, 6u);
     EXPECT_EQ(a.report.feature_curves, 12u);

@@ -6,14 +6,11 @@
 
 #include "support/more_shapes.h"
 #include "support/state_fixture.h"
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement.h>
 #include <CGAL/Quad_mesh_adaptation/internal/spatial_order.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -25,11 +22,11 @@ namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 namespace core = CGAL::Quad_mesh_adaptation::internal;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using more_shapes::Index;
 using more_shapes::Shape;
 using more_shapes::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 // A unit sphere with a thorn of length 1.2 at its north pole.
 Shape thorn(Index n)

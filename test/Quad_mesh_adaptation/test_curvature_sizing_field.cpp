@@ -4,15 +4,11 @@
 // Curvatures against analytic ones, and the chord error of adapted meshes against the one asked
 // for.
 
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
+#include "support/usual_files.h"
 
 #include <CGAL/Quad_mesh_adaptation/Curvature_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -29,12 +25,13 @@ using QMA::Curvature_sizing_field;
 
 namespace {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using shape_zoo::Index;
 using shape_zoo::pi;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using usual_mesh::Size;
 
 Mesh mesh_of(const Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
 
@@ -203,7 +200,7 @@ TEST(Curvature_sizing_field, MeetsTheChordErrorOnFacetsBothWays)
   for(const double error : { 0.06, 0.03, 0.015 }) {
     Mesh mesh = facets;
     const auto size = Curvature_sizing_field::chord_error(facets, error);
-    const double found = both_ways(QMA::adapt_quad_mesh(size, mesh), error);
+    const double found = both_ways(QMA::adapt_quad_mesh(Size(std::cref(size)), mesh), error);
     EXPECT_LE(found, 1.1);
     EXPECT_GE(found, 0.6);
   }
@@ -217,7 +214,7 @@ TEST(Curvature_sizing_field, MeetsTheChordErrorOnAnEllipsoid)
   for(const double error : { 0.04, 0.02 }) {
     Mesh mesh = facets;
     const auto size = Curvature_sizing_field::chord_error(facets, error);
-    const double found = both_ways(QMA::adapt_quad_mesh(size, mesh), error);
+    const double found = both_ways(QMA::adapt_quad_mesh(Size(std::cref(size)), mesh), error);
     EXPECT_LE(found, 1.1);
     EXPECT_GE(found, 0.5);
   }
@@ -234,11 +231,11 @@ TEST(Curvature_sizing_field, MeetsTheChordErrorOnACowBothWays)
   for(double error : { 0.018, 0.01, 0.005 }) {
     const Curvature_sizing_field size = Curvature_sizing_field::chord_error(cow, error);
     Mesh mesh = cow, graded = cow;
-    const double found = both_ways(QMA::adapt_quad_mesh(size, mesh), error);
+    const double found = both_ways(QMA::adapt_quad_mesh(Size(std::cref(size)), mesh), error);
     EXPECT_LE(found, 1.1);
     EXPECT_GE(found, 0.6);
     const QMA::Graded_sizing_field slow(cow, size, 0.3);
-    EXPECT_LE(both_ways(QMA::adapt_quad_mesh(slow, graded), error), 1.1);
+    EXPECT_LE(both_ways(QMA::adapt_quad_mesh(Size(std::cref(slow)), graded), error), 1.1);
   }
 }
 
@@ -254,7 +251,7 @@ TEST(Curvature_sizing_field, FoldsDoNotCountOnASmoothReference)
   EXPECT_NEAR(smooth(inner), 2 * std::sqrt(2 * error) / 1.48, 0.005);
   EXPECT_LT(flat(inner), 0.6 * smooth(inner));
   Mesh mesh = facets;
-  QMA::adapt_quad_mesh(smooth, mesh, QMA::smooth_reference(true));
+  QMA::adapt_quad_mesh(Size(std::cref(smooth)), mesh, QMA::smooth_reference(true));
   EXPECT_LE(distance_to_torus(mesh), 1.1 * error);
 }
 

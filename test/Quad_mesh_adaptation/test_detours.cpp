@@ -5,12 +5,10 @@
 
 #include "support/more_shapes.h"
 #include "support/state_checks.h"
+#include "support/usual_calls.h"
+#include "support/usual_files.h"
 
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -24,8 +22,8 @@ namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 using namespace state_fixture;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 // A mesh with poor faces, all within their sizes or not by much.
 Adaptation_state irregular_state(unsigned seed)

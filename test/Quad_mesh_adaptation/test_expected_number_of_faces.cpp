@@ -3,14 +3,10 @@
 
 // The number of faces predicted against the one that comes out.
 
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
+#include "support/usual_files.h"
 
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/expected_number_of_faces.h>
-#include <CGAL/adapt_quad_mesh.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -26,9 +22,9 @@ namespace QMA = CGAL::Quad_mesh_adaptation;
 
 namespace {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Size = std::function<double(const Point&)>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using usual_mesh::Size;
 
 Mesh mesh_of(const shape_zoo::Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
 
@@ -193,7 +189,7 @@ TEST(Expected_number_of_faces, OfASteepSizeAndOfTheOtherAim)
 TEST(Expected_number_of_faces, AnAdaptedMeshKeepsItsFaces)
 {
   Mesh mesh = mesh_of(shape_zoo::plate(10, 10));
-  const auto size = [](const Point& p) { return 0.4 + 0.1 * p.x(); };
+  const Size size = [](const Point& p) { return 0.4 + 0.1 * p.x(); };
   QMA::adapt_quad_mesh(size, mesh);
   mesh.collect_garbage();
   EXPECT_EQ(QMA::expected_number_of_faces(size, mesh), double(mesh.number_of_faces()));

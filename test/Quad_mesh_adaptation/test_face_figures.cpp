@@ -5,6 +5,7 @@
 
 #include "support/state_fixture.h"
 
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
 
@@ -63,7 +64,7 @@ public:
   {
     in_.patch = patch;
     state.size = core::Size_sampler(o.size, 0);
-    core::State_builder(in_, core::Feature_options(), state)();
+    core::build_state(in_, core::Feature_options(), core::Geometry_options(), state);
     kept_.emplace(in_);
     check();
   }

@@ -8,12 +8,8 @@
 
 #include "support/feature_checks.h"
 #include "support/more_shapes.h"
-#include "support/zoo_mesh.h"
-
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_files.h"
 
 #include <gtest/gtest.h>
 
@@ -25,11 +21,11 @@
 namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using shape_zoo::Index;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 // Side of a cone cut off at both ends, with flat ends.
 Shape cone(Index n)

@@ -3,13 +3,9 @@
 
 // edge_is_frozen_map(): such edges and their ends are after any call what they were before it.
 
-#include "support/zoo_mesh.h"
-
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
 
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -27,10 +23,9 @@ namespace QMA = CGAL::Quad_mesh_adaptation;
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
 using QMA::Adaptation_report;
 using shape_zoo::Shape;
 

@@ -1,12 +1,9 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "support/zoo_mesh.h"
+#include "support/usual_mesh.h"
 
 #include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -26,9 +23,9 @@ using QMA::Graded_sizing_field;
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 
 Mesh plate(int n = 8) { return zoo_mesh::make<Mesh, Point>(shape_zoo::plate(n, n)); }
 
@@ -56,7 +53,7 @@ std::vector<Point> points_on_sphere(int number)
   std::normal_distribution<> normal;
   std::vector<Point> points;
   for(int i = 0; i < number; ++i) {
-    const Kernel::Vector_3 v(normal(random), normal(random), normal(random));
+    const Vector v(normal(random), normal(random), normal(random));
     points.push_back(CGAL::ORIGIN + v / std::sqrt(v.squared_length()));
   }
   return points;
@@ -221,7 +218,7 @@ TEST(Graded_sizing_field, noise_is_bounded_over_the_zoo)
     // up to 6 between samples a sixth of a size apart costs what is allowed beyond the growth
     for(auto e : mesh.edges()) {
       const Point a = mesh.point(mesh.vertex(e, 0)), b = mesh.point(mesh.vertex(e, 1));
-      const Kernel::Vector_3 step = (b - a) / 8;
+      const Vector step = (b - a) / 8;
       for(int i = 0; i < 8; ++i) {
         const double here = graded(a + i * step), next = graded(a + (i + 1) * step);
         EXPECT_LE(std::abs(here - next),

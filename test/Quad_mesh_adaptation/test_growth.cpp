@@ -5,10 +5,8 @@
 
 #include "support/counted_work.h"
 #include "support/growth_shapes.h"
-
-#include <CGAL/Quad_mesh_adaptation/coarsen.h>
-#include <CGAL/Quad_mesh_adaptation/refine.h>
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_passes.h"
 
 #include <gtest/gtest.h>
 

@@ -6,12 +6,8 @@
 
 #include "support/feature_checks.h"
 #include "support/more_shapes.h"
-#include "support/zoo_mesh.h"
-
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_files.h"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +17,13 @@
 namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using feature_checks::Quad_distances;
 using QMA::Adaptation_report;
 using shape_zoo::Quad;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 Shape read(const std::string& name)
 {
@@ -39,20 +36,18 @@ Shape read(const std::string& name)
   return s;
 }
 
-double off_shape(const Vec& p, const Shape& of)
+// Cut either way: at least as near as the way that counts.
+double off_shape(const Vec& p, const Quad_distances& of)
 {
   double least = 1e9;
-  const auto& c = of.points;
-  for(const Quad& q : of.quads)
-    for(int i = 0; i < 4; ++i) // cut either way: at least as near as the way that counts
-      least = (std::min)(least, feature_checks::distance_to_triangle(p, c[q[i]], c[q[(i + 1) & 3]],
-                                                                     c[q[(i + 2) & 3]]));
+  for(std::size_t f = 0; f < of.s.quads.size(); ++f) least = of.lesser(least, p, int(f));
   return least;
 }
 
 // Of the middles of faces and edges.
-double farthest_middle(const Shape& s, const Shape& of)
+double farthest_middle(const Shape& s, const Shape& shape)
 {
+  const Quad_distances of(shape);
   double largest = 0;
   for(const Quad& q : s.quads) {
     const Vec a = s.points[q[0]], b = s.points[q[1]], c = s.points[q[2]], d = s.points[q[3]];

@@ -4,14 +4,15 @@
 // Writing a changed state back into the caller's graph.
 
 #include "support/places.h"
+#include "support/usual_mesh.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
 
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -23,10 +24,9 @@ namespace {
 namespace core = CGAL::Quad_mesh_adaptation::internal;
 using core::Adaptation_state;
 using core::Index;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
 using shape_zoo::Shape;
 
 // Imports, lets `change` work on the state, exports, and compares the graph with the state.
@@ -52,7 +52,7 @@ void import_change_export(const Shape& shape, double feature_angle, const std::s
   s.size = core::Size_sampler([](const core::Vec&) { return 1.; }, 1.);
   core::Feature_options features;
   features.feature_angle = feature_angle;
-  core::State_builder(in, features, s)();
+  core::build_state(in, features, core::Geometry_options(), s);
   change(s);
   Adaptation_state used_up = s;
   core::Mesh_export<M, decltype(vpm), core::No_constraints<Edge>> write(mesh, vpm, ecm, in,

@@ -4,15 +4,12 @@
 // Many faces are made from a solution for larger sizes, halved everywhere.
 
 #include "support/state_checks.h"
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
+#include "support/usual_measures.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/refinement_schedule.h>
 #include <CGAL/Quad_mesh_adaptation/internal/trial_halving.h>
-#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -27,8 +24,8 @@ namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 using namespace state_fixture;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 Options with_sizes(std::function<double(const Vec&)> size)
 {

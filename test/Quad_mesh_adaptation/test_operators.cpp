@@ -6,6 +6,11 @@
 
 #include "support/places.h"
 
+#include <CGAL/Quad_mesh_adaptation/internal/operators/border_half_ring.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/edge_swap.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/face_close.h>
+
 #include <gtest/gtest.h>
 
 #include <iostream>

@@ -5,8 +5,7 @@
 
 #include "../../examples/Quad_mesh_adaptation/support/paper_cases.h"
 #include "support/surface_mesh_checks.h"
-
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,8 @@
 // and the report says which faces these are and why.
 
 #include "support/more_shapes.h"
-#include "support/zoo_mesh.h"
-
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_files.h"
 
 #include <gtest/gtest.h>
 
@@ -24,14 +20,14 @@
 namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using QMA::Adaptation_report;
 using QMA::Poor_face;
 using QMA::Shape_limit;
 using shape_zoo::Index;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 // Kite with n x n faces: the given angle at the origin, about a right one at the other three.
 Shape kite(Index n, double degrees)

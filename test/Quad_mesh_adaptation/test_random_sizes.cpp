@@ -4,14 +4,10 @@
 // Random sizes on all shapes of the zoo: graded ones and steep ones, and with both schedules.
 // QUAD_MESH_SEED repeats a run, QUAD_MESH_RUNS asks for more of them (scripts/test.sh --long).
 
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
+#include "support/usual_measures.h"
 
-#include <CGAL/adapt_quad_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
-#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -34,8 +30,9 @@ void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
 
 namespace {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using usual_mesh::Size;
 using zoo_mesh::Shape;
 
 std::string describe(const zoo_mesh::Bumps& h)
@@ -73,7 +70,6 @@ std::vector<std::size_t> faces_larger_than(const Shape& s, const Size& size, dou
 }
 
 // The report must own up to every face that is too large, and to nothing else.
-template <typename Size>
 void expect_honest(const QMA::Adaptation_report& report, const Mesh& mesh, const Size& size,
                    QMA::Schedule schedule)
 {
@@ -119,7 +115,6 @@ void report_run(const Shape& shape, const char* name, unsigned seed,
             << (::testing::Test::HasFailure() ? " FAILED SO FAR" : "") << std::endl;
 }
 
-template <typename Size>
 void run(unsigned seed, const Shape& shape, Mesh mesh, const Size& size, Kind kind)
 {
   const QMA::Schedule schedule =

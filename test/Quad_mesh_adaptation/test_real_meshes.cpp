@@ -4,11 +4,8 @@
 // Meshes by other people, to uniform sizes above and below their own.
 
 #include "support/surface_mesh_checks.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_files.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +15,8 @@
 namespace {
 
 namespace Qma = CGAL::Quad_mesh_adaptation;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 double mean_edge_length(const Mesh& mesh)
 {

@@ -4,11 +4,9 @@
 // Regular meshes refined by less than halving get whole rows and stay regular.
 
 #include "support/state_checks.h"
+#include "support/usual_calls.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/row_insertion.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -19,8 +17,8 @@ namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 using namespace state_fixture;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 Shape tube()
 {

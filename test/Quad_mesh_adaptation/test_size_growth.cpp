@@ -3,16 +3,11 @@
 
 // What the report says of sizes that grow faster than quads can follow.
 
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
+#include "support/usual_measures.h"
+#include "support/usual_passes.h"
 
 #include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
-#include <CGAL/Quad_mesh_adaptation/clean_up.h>
-#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
-#include <CGAL/Quad_mesh_adaptation/smooth.h>
-#include <CGAL/adapt_quad_mesh.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -25,8 +20,9 @@ namespace QMA = CGAL::Quad_mesh_adaptation;
 
 namespace {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using usual_mesh::Size;
 
 // n x n faces over [-5, 5]^2
 Mesh plate(int n)
@@ -86,7 +82,7 @@ TEST(Size_growth, AJumpIsTooSteepHoweverFineTheMesh)
 TEST(Size_growth, TheReportAdvisesOnThePapersPlate)
 {
   Mesh mesh = plate(10);
-  const auto size = [](const Point& p) { return 0.1 + std::abs(std::hypot(p.x(), p.y()) - 4.9); };
+  const Size size = [](const Point& p) { return 0.1 + std::abs(std::hypot(p.x(), p.y()) - 4.9); };
   const QMA::Adaptation_report report = QMA::adapt_quad_mesh(size, mesh);
   EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_met);
   EXPECT_TRUE(report.message.empty());
@@ -99,7 +95,7 @@ TEST(Size_growth, TheReportAdvisesOnThePapersPlate)
   // the cure that the sentence names
   Mesh again = plate(10);
   const QMA::Adaptation_report cured =
-      QMA::smooth(QMA::Graded_sizing_field(again, size, 0.25), again);
+      QMA::smooth(Size(QMA::Graded_sizing_field(again, size, 0.25)), again);
   EXPECT_TRUE(cured.advice.empty());
   EXPECT_LE(cured.size_growth.largest_slope, 0.3);
 }
@@ -108,7 +104,8 @@ TEST(Size_growth, MildSizesAndNumbersGetNoAdvice)
 {
   Mesh mesh = plate(10);
   QMA::Adaptation_report report = QMA::adapt_quad_mesh(
-      [](const Point& p) { return 0.4 + 0.2 * std::abs(std::hypot(p.x(), p.y()) - 4.9); }, mesh);
+      Size([](const Point& p) { return 0.4 + 0.2 * std::abs(std::hypot(p.x(), p.y()) - 4.9); }),
+      mesh);
   EXPECT_TRUE(report.advice.empty());
   EXPECT_NEAR(report.size_growth.largest_slope, 0.2, 0.01);
   report = QMA::clean_up(0.7, mesh);

@@ -3,16 +3,12 @@
 
 // Combined fields, proximity and sizes from error indicators.
 
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
 
 #include <CGAL/Quad_mesh_adaptation/Error_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Proximity_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/combined_sizing_fields.h>
-#include <CGAL/adapt_quad_mesh.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -27,11 +23,12 @@ namespace QMA = CGAL::Quad_mesh_adaptation;
 
 namespace {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using shape_zoo::Index;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using usual_mesh::Size;
 
 Mesh mesh_of(const Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
 
@@ -90,7 +87,7 @@ TEST(Combined_sizing_fields, DoNotHideWhatIsNoSize)
   EXPECT_TRUE(std::isnan(QMA::Clamped_sizing_field(bad, { 1, 3 })(Point(0, 0, 0))));
   Mesh mesh = mesh_of(shape_zoo::plate());
   const Mesh before = mesh;
-  const auto report = QMA::adapt_quad_mesh(QMA::Clamped_sizing_field(bad, { 1, 3 }), mesh);
+  const auto report = QMA::adapt_quad_mesh(Size(QMA::Clamped_sizing_field(bad, { 1, 3 })), mesh);
   EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_refused);
   EXPECT_TRUE(zoo_mesh::is_same(mesh, before));
   const Point p(0, 0, 0);
@@ -225,7 +222,8 @@ TEST(Error_sizing_field, FacesComeOutAsManyAsAsked)
   }
   Mesh mesh = e.mesh;
   const auto report = QMA::adapt_quad_mesh(
-      QMA::Error_sizing_field(e.mesh, e.errors, QMA::Error_target::number_of_faces(600)), mesh);
+      Size(QMA::Error_sizing_field(e.mesh, e.errors, QMA::Error_target::number_of_faces(600))),
+      mesh);
   EXPECT_TRUE(report.has_valid_mesh());
   EXPECT_NEAR(double(report.after.faces), 600, 90);
 }

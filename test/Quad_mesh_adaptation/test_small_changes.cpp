@@ -3,12 +3,9 @@
 
 // Where sizes change in a small place, the mesh changes there and nowhere else.
 
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
+#include "support/usual_measures.h"
 
-#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
@@ -22,8 +19,9 @@
 namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using usual_mesh::Size;
 
 double distance(const Point& a, const Point& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
 
@@ -44,7 +42,7 @@ double graded(const Point& p) { return 0.12 + 0.01 * p.x(); }
 Mesh adapted_plate()
 {
   Mesh mesh = zoo_mesh::make<Mesh, Point>(shape_zoo::plate(10, 10));
-  QMA::adapt_quad_mesh(graded, mesh, QMA::symmetry(false));
+  QMA::adapt_quad_mesh(Size(graded), mesh, QMA::symmetry(false));
   return mesh;
 }
 
@@ -99,7 +97,7 @@ TEST(SmallChange, StaysLocal)
       SCOPED_TRACE("factor " + std::to_string(factor) + " at x = " + std::to_string(where.x()));
       Mesh mesh = before;
       const Change change{ where, factor };
-      const auto size = [&](const Point& p) { return graded(p) * change(p); };
+      const Size size = [&](const Point& p) { return graded(p) * change(p); };
       const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::symmetry(false));
       EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
       EXPECT_GE(r.after.efficiency, 0.85);
@@ -110,7 +108,7 @@ TEST(SmallChange, StaysLocal)
       EXPECT_EQ(kept_far_away(before, mesh, where, 1 + 25 * edge), 1.);
       expect_measures(QMA::measure_quad_mesh(mesh, size), r.after);
       wanted += QMA::measure_quad_mesh(mesh, size).ideal_number_of_faces -
-                QMA::measure_quad_mesh(before, graded).ideal_number_of_faces;
+                QMA::measure_quad_mesh(before, Size(graded)).ideal_number_of_faces;
       made += r.after.efficiency * (double(mesh.number_of_faces()) - before.number_of_faces());
     }
     // it is made at all, within a third of what it asks for at this efficiency: few faces are in
@@ -123,7 +121,7 @@ TEST(SmallChange, StaysLocal)
 // border, at corners and where two places change.
 TEST(SmallChange, InALargeMesh)
 {
-  const auto fine = [](const Point& p) { return 0.065 + 0.001 * p.x(); };
+  const Size fine = [](const Point& p) { return 0.065 + 0.001 * p.x(); };
   Mesh before = zoo_mesh::make<Mesh, Point>(shape_zoo::plate(140, 140));
   for(auto v : before.vertices()) {
     const Point& p = before.point(v);
@@ -136,7 +134,7 @@ TEST(SmallChange, InALargeMesh)
       SCOPED_TRACE("factor " + std::to_string(factor) + " at x = " + std::to_string(where.x()));
       Mesh mesh = before;
       const Change change{ where, factor }, other{ Point(7, 7, 0), 0.7 };
-      const auto size = [&](const Point& p) { return fine(p) * change(p) * other(p); };
+      const Size size = [&](const Point& p) { return fine(p) * change(p) * other(p); };
       const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::symmetry(false));
       EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
       EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
@@ -162,7 +160,7 @@ TEST(SmallChange, None)
 {
   const Mesh before = adapted_plate();
   Mesh mesh = before;
-  QMA::adapt_quad_mesh(graded, mesh, QMA::symmetry(false));
+  QMA::adapt_quad_mesh(Size(graded), mesh, QMA::symmetry(false));
   EXPECT_GT(kept_far_away(before, mesh, Point(-9, 0, 0), 3), 0.9);
 }
 
@@ -174,7 +172,7 @@ TEST(SmallChange, WithABoundOnTheDistance)
   Mesh mesh = zoo_mesh::make<Mesh, Point>(shape_zoo::sphere(12));
   QMA::adapt_quad_mesh(0.15, mesh, np);
   const Point pole(0, 0, 1);
-  const auto size = [&](const Point& p) { return distance(p, pole) < 0.2 ? 0.07 : 0.15; };
+  const Size size = [&](const Point& p) { return distance(p, pole) < 0.2 ? 0.07 : 0.15; };
   const double bound = 0.004;
   const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::max_distance(bound, np));
   EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
@@ -188,7 +186,7 @@ TEST(SmallChange, OneBadFaceInAFineMesh)
 {
   Mesh mesh = zoo_mesh::make<Mesh, Point>(shape_zoo::plate(40, 40));
   const Point where(20, 20, 0);
-  const auto size = [&](const Point& p) { return distance(p, where) < 1 ? 0.8 : 1.45; };
+  const Size size = [&](const Point& p) { return distance(p, where) < 1 ? 0.8 : 1.45; };
   const auto r = QMA::adapt_quad_mesh(size, mesh, QMA::symmetry(false));
   EXPECT_EQ(r.after.strict_size_ratio.percent_not_larger(), 100.) << r.message;
   EXPECT_GE(r.after.efficiency, 0.8);

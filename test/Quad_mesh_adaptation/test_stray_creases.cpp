@@ -4,6 +4,7 @@
 #include "support/state_fixture.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/feature_edges.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -91,7 +92,7 @@ Adaptation_state with_reference(const Shape& shape, const Shape& surface)
   geometry.reference = &soup;
   Adaptation_state s;
   s.size = core::Size_sampler([](const Vec&) { return 1.; }, 1);
-  core::State_builder(input_of(shape, Options()), core::Feature_options(), s)(geometry);
+  core::build_state(input_of(shape, Options()), core::Feature_options(), geometry, s);
   return s;
 }
 

@@ -153,7 +153,7 @@ TEST(Symmetry, DescriptorsSurvive)
   const Shape shape = centred(shape_zoo::plate(24, 12));
   const Mesh before = zoo_mesh::make<Mesh, Point>(shape);
   Mesh mesh = before;
-  const auto size = [](const Point& p) { return std::abs(p.x()) > 9 ? 0.25 : 1.02; };
+  const Size size = [](const Point& p) { return std::abs(p.x()) > 9 ? 0.25 : 1.02; };
   ASSERT_TRUE(QMA::adapt_quad_mesh(size, mesh).has_valid_mesh());
   std::size_t left = 0, right = 0;
   for(auto f : before.faces()) {

@@ -24,7 +24,7 @@ TEST(SymmetryWith, ConstrainedEdges)
   };
   for(auto e : mesh.edges()) marks[e] = on_cross(e);
   const double before = 8 * 3;
-  const auto size = [](const Point& p) { return 0.12 + 0.04 * std::abs(p.x()); };
+  const Size size = [](const Point& p) { return 0.12 + 0.04 * std::abs(p.x()); };
   const auto report =
       QMA::adapt_quad_mesh(size, mesh, CGAL::parameters::edge_is_constrained_map(marks));
   ASSERT_TRUE(report.has_valid_mesh());
@@ -80,7 +80,7 @@ TEST(SymmetryWith, Patches)
     return std::abs(y) < 2 ? 7 : 3;
   };
   for(auto f : mesh.faces()) patch[f] = wanted(f);
-  const auto size = [](const Point& p) { return 0.12 + 0.04 * std::abs(p.x()); };
+  const Size size = [](const Point& p) { return 0.12 + 0.04 * std::abs(p.x()); };
   ASSERT_TRUE(
       QMA::adapt_quad_mesh(size, mesh, CGAL::parameters::face_patch_map(patch)).has_valid_mesh());
   for(auto f : mesh.faces()) EXPECT_EQ(patch[f], wanted(f));
@@ -123,7 +123,7 @@ TEST(SymmetryWith, ExceptionsPass)
   Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
   const Mesh before = mesh;
   int calls = 0;
-  const auto size = [&](const Point&) {
+  const Size size = [&](const Point&) {
     if(++calls > 20000) throw 7;
     return 0.2;
   };

@@ -3,14 +3,8 @@
 
 // Inputs with nodes that have crossed others: what is tangled is no shape to be kept.
 
-#include "support/zoo_mesh.h"
-
-#include <CGAL/Quad_mesh_adaptation/clean_up.h>
-#include <CGAL/Quad_mesh_adaptation/smooth.h>
-#include <CGAL/adapt_quad_mesh.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_passes.h"
 
 #include <gtest/gtest.h>
 
@@ -26,12 +20,11 @@ namespace QMA = CGAL::Quad_mesh_adaptation;
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using QMA::Adaptation_report;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 constexpr int n = 10;
 

@@ -5,14 +5,8 @@
 
 #include "support/more_shapes.h"
 #include "support/shape_zoo.h"
-#include "support/zoo_mesh.h"
-
-#include <CGAL/Quad_mesh_adaptation/coarsen.h>
-#include <CGAL/Quad_mesh_adaptation/refine.h>
-#include <CGAL/Quad_mesh_adaptation/smooth.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
+#include "support/usual_calls.h"
+#include "support/usual_passes.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -29,8 +23,8 @@
 namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 // Runs something with so many threads, whatever the machine has.
 template <typename Action>

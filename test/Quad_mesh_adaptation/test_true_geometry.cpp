@@ -6,14 +6,12 @@
 
 #include "support/more_shapes.h"
 #include "support/state_fixture.h"
-#include "support/zoo_mesh.h"
+#include "support/usual_calls.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Hermite_curve.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Local_fit.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/adapt_quad_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 
 #include <gtest/gtest.h>
 
@@ -31,13 +29,12 @@ namespace {
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 namespace core = CGAL::Quad_mesh_adaptation::internal;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using more_shapes::Index;
 using more_shapes::Quad;
 using more_shapes::Shape;
 using more_shapes::Vec;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
 
 template <typename Size, typename NP>
 Shape adapt(const Shape& s, const Size& size, const NP& np, QMA::Adaptation_report& report)
@@ -106,7 +103,7 @@ TEST(Smooth_reference, Order)
     const core::Input_mesh in = state_fixture::input_of(s, o);
     core::Geometry_options geometry;
     geometry.smooth = true;
-    core::State_builder(in, core::Feature_options(), state)(geometry);
+    core::build_state(in, core::Feature_options(), geometry, state);
     double worst = 0;
     for(Index t = 0; t < Index(state.surface.number_of_triangles()); ++t) {
       const auto c = state.surface.triangle(t);
@@ -368,7 +365,7 @@ TEST(Distance, BothWays)
   const core::Input_mesh in = state_fixture::input_of(flat, state_fixture::Options());
   core::Feature_options features;
   features.feature_angle = 180;
-  core::State_builder(in, features, s)(geometry);
+  core::build_state(in, features, geometry, s);
   const core::Distance_measure d(s);
   EXPECT_NEAR(d.from_reference(), 0.5, 1e-9);
   EXPECT_LT(d.to_reference(), 0.4);

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Quad_mesh_adaptation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
+#include "support/usual_files.h"
+
 #include <CGAL/Quad_mesh_adaptation/IO/write_quad_mesh.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <gtest/gtest.h>

@@ -4,12 +4,9 @@
 #ifndef QUAD_MESH_ADAPTATION_TEST_COUNTED_WORK_H
 #define QUAD_MESH_ADAPTATION_TEST_COUNTED_WORK_H
 
-#include "zoo_mesh.h"
+#include "usual_mesh.h"
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -21,8 +18,9 @@
 // What a call of the package costs, in counts and in time of the processor.
 namespace counted_work {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using usual_mesh::Mesh;
+using usual_mesh::Point;
+using usual_mesh::Size;
 
 struct Work
 {
@@ -38,13 +36,13 @@ struct Work
 
 /// Runs `operation(size, mesh, work)` on a fresh mesh of the shape; the size it gets is `size` with
 /// its calls counted.
-template <typename Size, typename Operation>
+template <typename Operation>
 Work measured(const shape_zoo::Shape& shape, const Size& size, const Operation& operation)
 {
   SCOPED_TRACE(shape.name + " of " + std::to_string(shape.quads.size()) + " faces");
   Mesh mesh = zoo_mesh::make<Mesh, Point>(shape);
   Work work;
-  const auto counting = [&](const Point& p) {
+  const Size counting = [&](const Point& p) {
     ++work.size_calls;
     return size(p);
   };

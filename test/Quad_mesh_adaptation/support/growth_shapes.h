@@ -6,9 +6,6 @@
 
 #include "shape_zoo.h"
 
-#include <cmath>
-#include <vector>
-
 // Shapes of any number of faces, each of which would show an algorithm that is quadratic in the
 // length of something: a row, an umbrella, a chord, a list of components.
 namespace growth_shapes {
@@ -16,48 +13,17 @@ namespace growth_shapes {
 using namespace shape_zoo;
 
 /// n faces of side 1 in one row.
-inline Shape strip(Index n)
-{
-  Shape s = plate(n, 1);
-  s.name = "strip";
-  return s;
-}
+Shape strip(Index n);
 
 /// n quads about the centre of a disk of radius 1, one node of valence n.
-inline Shape fan(Index n)
-{
-  Shape s{ "fan", { Vec(0, 0, 0) }, {} };
-  for(Index i = 0; i < 2 * n; ++i)
-    s.points.emplace_back(std::cos(pi * i / n), std::sin(pi * i / n), 0);
-  for(Index i = 0; i < n; ++i)
-    s.quads.push_back({ 0, 2 * i + 1, 2 * i + 2, (2 * i + 2) % (2 * n) + 1 });
-  return s;
-}
+Shape fan(Index n);
 
 /// Half of it: n quads about a node of the border.
-inline Shape half_fan(Index n)
-{
-  Shape s{ "half a fan", { Vec(0, 0, 0) }, {} };
-  for(Index i = 0; i <= 2 * n; ++i)
-    s.points.emplace_back(std::cos(pi * i / (2 * n)), std::sin(pi * i / (2 * n)), 0);
-  for(Index i = 0; i < n; ++i) s.quads.push_back({ 0, 2 * i + 1, 2 * i + 2, 2 * i + 3 });
-  return s;
-}
+Shape half_fan(Index n);
 
 /// Two cones of n kites each that meet in a circle of 2 n nodes; spokes of both lead to it by
 /// turns.
-inline Shape kites(Index n)
-{
-  Shape s{ "kites", { Vec(0, 0, 1), Vec(0, 0, -1) }, {} };
-  const auto id = [n](Index i) { return 2 + i % (2 * n); };
-  for(Index i = 0; i < 2 * n; ++i)
-    s.points.emplace_back(std::cos(pi * i / n), std::sin(pi * i / n), 0);
-  for(Index i = 0; i < 2 * n; i += 2) {
-    s.quads.push_back({ 0, id(i), id(i + 1), id(i + 2) });
-    s.quads.push_back({ 1, id(i + 3), id(i + 2), id(i + 1) });
-  }
-  return s;
-}
+Shape kites(Index n);
 
 /// A fan of n quads with `rings` rings of 2 n quads about it; point j of each ray is `at(j,
 /// angle)`.
@@ -77,53 +43,17 @@ Shape polar(Index n, Index rings, const Vec& centre, const Place& at)
 }
 
 /// Disk of this kind.
-inline Shape polar_disk(Index n, Index rings)
-{
-  return polar(n, rings, Vec(0, 0, 0), [rings](Index j, double a) {
-    const double r = double(j + 1) / (rings + 1);
-    return Vec(r * std::cos(a), r * std::sin(a), 0);
-  });
-}
+Shape polar_disk(Index n, Index rings);
 
 /// Sphere of this kind, with a second fan opposite the first.
-inline Shape polar_sphere(Index n, Index rings)
-{
-  Shape s = polar(n, rings, Vec(0, 0, 1), [rings](Index j, double a) {
-    const double b = pi * (j + 1) / (rings + 2);
-    return Vec(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
-  });
-  s.name = "polar sphere";
-  const Index pole = Index(s.points.size()), last = 1 + 2 * n * rings;
-  s.points.emplace_back(0, 0, -1);
-  for(Index i = 0; i < 2 * n; i += 2)
-    s.quads.push_back({ pole, last + (i + 2) % (2 * n), last + i + 1, last + i });
-  return s;
-}
+Shape polar_sphere(Index n, Index rings);
 
 /// A strip of n faces of side about 1 wound up to a screw line on a cylinder, `around` faces to a
 /// turn: the chord along it crosses every face and has itself as neighbour on both sides.
-inline Shape screw(Index n, Index around)
-{
-  Shape s{ "screw", {}, {} };
-  const double radius = around / (2 * pi);
-  for(Index k = 0; k <= n + around; ++k) {
-    const double a = 2 * pi * k / around;
-    s.points.emplace_back(radius * std::cos(a), radius * std::sin(a), double(k) / around);
-  }
-  for(Index k = 0; k < n; ++k) s.quads.push_back({ k, k + 1, k + 1 + around, k + around });
-  return s;
-}
+Shape screw(Index n, Index around);
 
 /// side x side separate plates of 2 x 2 faces of side 1.
-inline Shape archipelago(Index side)
-{
-  Shape s{ "archipelago", {}, {} };
-  for(Index y = 0; y < side; ++y)
-    for(Index x = 0; x < side; ++x)
-      append(s, grid("", 2, 2, [=](Index i, Index j) { return Vec(3 * x + i, 3 * y + j, 0); }),
-             false);
-  return s;
-}
+Shape archipelago(Index side);
 
 } // namespace growth_shapes
 

@@ -5,17 +5,14 @@
 #define QUAD_MESH_ADAPTATION_TEST_READ_TEXT_H
 
 #include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
-
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <string>
-#include <utility>
 
 namespace read_test {
 
@@ -40,47 +37,18 @@ private:
   std::string name_;
 };
 
-inline Read_result read_text(const std::string& extension, const std::string& text, Mesh& mesh)
-{
-  const Temporary_file file(extension, text);
-  return read_quad_mesh(file.name(), mesh);
-}
+Read_result read_text(const std::string& extension, const std::string& text, Mesh& mesh);
 
-inline Read_result read_off(const std::string& text)
-{
-  Mesh mesh;
-  return read_text(".off", text, mesh);
-}
+Read_result read_off(const std::string& text);
 
-inline bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& part);
 
 // Two unit squares side by side.
 inline const std::string two_points = "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n";
 inline const std::string two_quads = "OFF\n6 2 0\n" + two_points + "4 0 1 4 3\n4 1 2 5 4\n";
 
 // A closed band of n quads; twisted it is a Moebius strip.
-inline std::string band(int n, bool is_twisted)
-{
-  std::string text = "OFF\n" + std::to_string(2 * n) + ' ' + std::to_string(n) + " 0\n";
-  for(int i = 0; i < n; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / n, turn = is_twisted ? angle / 2 : 0;
-    for(const double side : { -0.3, 0.3 }) {
-      const double r = 2 + side * std::cos(turn);
-      text += std::to_string(r * std::cos(angle)) + ' ' + std::to_string(r * std::sin(angle)) +
-              ' ' + std::to_string(side * std::sin(turn) + (is_twisted ? 0 : side)) + '\n';
-    }
-  }
-  for(int i = 0; i < n; ++i) {
-    int c = 2 * ((i + 1) % n), d = c + 1;
-    if(is_twisted && i == n - 1) std::swap(c, d);
-    text += "4 " + std::to_string(2 * i) + ' ' + std::to_string(2 * i + 1) + ' ' +
-            std::to_string(d) + ' ' + std::to_string(c) + '\n';
-  }
-  return text;
-}
+std::string band(int n, bool is_twisted);
 
 } // namespace read_test
 

@@ -15,10 +15,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <random>
-#include <string>
 #include <vector>
 
 // Shapes of the zoo as graphs of CGAL, and back.
@@ -30,18 +28,10 @@ using shape_zoo::Shape;
 using shape_zoo::Vec;
 
 /// The seed of random tests; the environment variable QUAD_MESH_SEED repeats a run.
-inline unsigned seed(unsigned otherwise = 20091u)
-{
-  const char* given = std::getenv("QUAD_MESH_SEED");
-  return given ? unsigned(std::stoul(given)) : otherwise;
-}
+unsigned seed(unsigned otherwise = 20091u);
 
 /// A number of repetitions that an environment variable may replace.
-inline int count(const char* variable, int otherwise)
-{
-  const char* given = std::getenv(variable);
-  return given ? std::stoi(given) : otherwise;
-}
+int count(const char* variable, int otherwise);
 
 template <typename Mesh, typename Point>
 Mesh make(const Shape& s)
@@ -136,32 +126,10 @@ struct Bumps
   }
 };
 
-inline double mean_edge(const Shape& s)
-{
-  double sum = 0;
-  for(const Quad& q : s.quads)
-    for(int i = 0; i < 4; ++i)
-      sum += std::sqrt((s.points[q[(i + 1) % 4]] - s.points[q[i]]).squared_length());
-  return sum / (4. * double(s.quads.size()));
-}
+double mean_edge(const Shape& s);
 
 /// Bumps at points of a shape; sizes from about a fifth to about five times its mean edge.
-inline Bumps random_bumps(const Shape& s, std::mt19937& random)
-{
-  const auto real = [&](double a, double b) { // the same on every standard library
-    return a + (b - a) * (random() / double(std::mt19937::max()));
-  };
-  Bumps h;
-  const double edge = mean_edge(s);
-  h.base = edge * std::exp(real(-0.9, 1.2));
-  const int n = int(random() % 4);
-  for(int i = 0; i < n; ++i) {
-    const Vec centre = s.points[random() % s.points.size()];
-    const double radius = edge * real(0.8, 4), factor = std::exp(real(-1.4, 0.9));
-    h.bumps.push_back({ centre, radius, factor });
-  }
-  return h;
-}
+Bumps random_bumps(const Shape& s, std::mt19937& random);
 
 } // namespace zoo_mesh
 
