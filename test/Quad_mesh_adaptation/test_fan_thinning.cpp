@@ -102,6 +102,34 @@ TEST(FanThinning, SpokesByTurns)
   }
 }
 
+// Rows from a face of one fan end in two faces of the other: one of the two is turned first.
+TEST(FanThinning, SpokesAtDifferentColumns)
+{
+  for(const Index n : { 32, 101, 400 })
+    for(const Index rings : { 1, 3 }) {
+      Adaptation_state s = state_with_size(growth_shapes::can(n, rings), 2);
+      thin(s, "can");
+      EXPECT_LE(largest_number_of_faces(s), 24) << n;
+      EXPECT_EQ(s.mesh.number_of_faces(), largest_number_of_faces(s) * 2 * (1 + rings)) << n;
+    }
+}
+
+// Turned in vain: nothing is left of that.
+TEST(FanThinning, SpokesAtDifferentColumnsThatMustStay)
+{
+  Adaptation_state s = state_with_size(growth_shapes::can(40, 1), 2);
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    s.mesh.vertex(v).frozen = s.mesh.vertex(v).carrier != core::Carrier::surface;
+  const std::vector<core::Quad> before = [&] {
+    std::vector<core::Quad> quads;
+    for(Index f = 0; f < s.mesh.face_end(); ++f) quads.push_back(s.mesh.quad(f));
+    return quads;
+  }();
+  core::thin_fans(s);
+  ASSERT_EQ(s.mesh.number_of_faces(), Index(before.size()));
+  for(Index f = 0; f < s.mesh.face_end(); ++f) EXPECT_EQ(s.mesh.quad(f), before[f]);
+}
+
 // What is wanted stays, and so do all nodes of fewer faces.
 TEST(FanThinning, NothingToDo)
 {

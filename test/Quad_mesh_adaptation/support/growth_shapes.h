@@ -100,6 +100,21 @@ inline Shape polar_sphere(Index n, Index rings)
   return s;
 }
 
+/// A can of radius 1 with a fan of n quads at each end, whose spokes meet the 2 n columns of faces
+/// between them by turns.
+inline Shape can(Index n, Index rings)
+{
+  Shape s = polar(n, rings, Vec(0, 0, 1), [rings](Index j, double a) {
+    return Vec(std::cos(a), std::sin(a), 1 - double(j) / rings);
+  });
+  s.name = "can";
+  const Index centre = Index(s.points.size()), last = 1 + 2 * n * rings;
+  s.points.emplace_back(0, 0, 0);
+  for(Index i = 1; i < 2 * n; i += 2)
+    s.quads.push_back({ centre, last + (i + 2) % (2 * n), last + (i + 1) % (2 * n), last + i });
+  return s;
+}
+
 /// A strip of n faces of side about 1 wound up to a screw line on a cylinder, `around` faces to a
 /// turn: the chord along it crosses every face and has itself as neighbour on both sides.
 inline Shape screw(Index n, Index around)
