@@ -57,7 +57,7 @@ void thin(Adaptation_state& s, const std::string& name)
 // Between 13 and 24 faces are left, of any number.
 TEST(FanThinning, DiskAndHalfDisk)
 {
-  for(const Index n : { 25, 64, 101, 1000 })
+  for(const Index n : { 25, 64, 101, 1000, 40000 })
     for(const Shape& shape : { growth_shapes::fan(n), growth_shapes::half_fan(n) }) {
       Adaptation_state s = state_with_size(shape, 2);
       thin(s, shape.name);
@@ -112,6 +112,17 @@ TEST(FanThinning, SpokesAtDifferentColumns)
       EXPECT_LE(largest_number_of_faces(s), 24) << n;
       EXPECT_EQ(s.mesh.number_of_faces(), largest_number_of_faces(s) * 2 * (1 + rings)) << n;
     }
+}
+
+// A face between two huge nodes takes one from each of them.
+TEST(FanThinning, FacesFromPoleToPole)
+{
+  for(const Index n : { 40, 400 }) {
+    Adaptation_state s = state_with_size(growth_shapes::slices(n), 2);
+    core::thin_fans(s);
+    EXPECT_LE(s.mesh.number_of_faces(), 24) << n;
+    EXPECT_EQ(largest_number_of_faces(s), s.mesh.number_of_faces()) << n;
+  }
 }
 
 // Turned in vain: nothing is left of that.

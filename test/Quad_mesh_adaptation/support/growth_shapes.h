@@ -59,6 +59,17 @@ inline Shape kites(Index n)
   return s;
 }
 
+/// n quads from one pole of a sphere to the other, which share all of their edges: two nodes of
+/// valence n, and n doublets between them.
+inline Shape slices(Index n)
+{
+  Shape s{ "slices", { Vec(0, 0, 1), Vec(0, 0, -1) }, {} };
+  for(Index i = 0; i < n; ++i)
+    s.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+  for(Index i = 0; i < n; ++i) s.quads.push_back({ 0, 2 + i, 1, 2 + (i + 1) % n });
+  return s;
+}
+
 /// A fan of n quads with `rings` rings of 2 n quads about it; point j of each ray is `at(j,
 /// angle)`.
 template <typename Place>

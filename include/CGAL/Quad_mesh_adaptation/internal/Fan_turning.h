@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -138,7 +137,7 @@ private:
   void gain_faces(Index v, Index halfedge, int number)
   {
     Vertex_record& r = s_.mesh.vertex(v);
-    r.faces = std::int16_t(r.faces + number);
+    r.faces += number;
     r.halfedge = halfedge;
     s_.disturb(v);
   }

@@ -56,13 +56,13 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     const Index a = m.origin(h), b = m.target(h), c = m.target(m.next(h));
-    if(used_[a] || used_[b] || used_[c] || is_huge(m, a) || is_huge(m, b) || is_huge(m, c))
-      return false;
+    if(used_[a] || used_[b] || used_[c] || is_huge(m, a) || is_huge(m, c)) return false;
     const double width = distance(m.point(a), m.point(c));
     if(2 * width > limit_ * 0.5 * (m.vertex(a).h + m.vertex(c).h)) return false; // as it will be
     int squares;
     if(!(close_.is_candidate(h, squares) && close_(h)) && !close_at_crease_(h)) return false;
-    used_[a] = used_[b] = used_[c] = 1;
+    used_[a] = used_[c] = 1;
+    used_[b] = !is_huge(m, b); // which may be the centre of a fan opposite
     return true;
   }
 
