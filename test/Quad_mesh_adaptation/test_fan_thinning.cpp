@@ -57,7 +57,7 @@ void thin(Adaptation_state& s, const std::string& name)
 // Between 13 and 24 faces are left, of any number.
 TEST(FanThinning, DiskAndHalfDisk)
 {
-  for(const Index n : { 25, 64, 101, 1000 })
+  for(const Index n : { 25, 64, 101, 1000, 40000 })
     for(const Shape& shape : { growth_shapes::fan(n), growth_shapes::half_fan(n) }) {
       Adaptation_state s = state_with_size(shape, 2);
       thin(s, shape.name);
@@ -100,6 +100,45 @@ TEST(FanThinning, SpokesByTurns)
     EXPECT_LE(largest_number_of_faces(s), 24) << n;
     EXPECT_EQ(irregular_nodes(s), s.mesh.number_of_faces()) << n; // three faces at each
   }
+}
+
+// Rows from a face of one fan end in two faces of the other: one of the two is turned first.
+TEST(FanThinning, SpokesAtDifferentColumns)
+{
+  for(const Index n : { 32, 101, 400 })
+    for(const Index rings : { 1, 3 }) {
+      Adaptation_state s = state_with_size(growth_shapes::can(n, rings), 2);
+      thin(s, "can");
+      EXPECT_LE(largest_number_of_faces(s), 24) << n;
+      EXPECT_EQ(s.mesh.number_of_faces(), largest_number_of_faces(s) * 2 * (1 + rings)) << n;
+    }
+}
+
+// A face between two huge nodes takes one from each of them.
+TEST(FanThinning, FacesFromPoleToPole)
+{
+  for(const Index n : { 40, 400 }) {
+    Adaptation_state s = state_with_size(growth_shapes::slices(n), 2);
+    core::thin_fans(s);
+    EXPECT_LE(s.mesh.number_of_faces(), 24) << n;
+    EXPECT_EQ(largest_number_of_faces(s), s.mesh.number_of_faces()) << n;
+  }
+}
+
+// Turned in vain: nothing is left of that.
+TEST(FanThinning, SpokesAtDifferentColumnsThatMustStay)
+{
+  Adaptation_state s = state_with_size(growth_shapes::can(40, 1), 2);
+  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
+    s.mesh.vertex(v).frozen = s.mesh.vertex(v).carrier != core::Carrier::surface;
+  const std::vector<core::Quad> before = [&] {
+    std::vector<core::Quad> quads;
+    for(Index f = 0; f < s.mesh.face_end(); ++f) quads.push_back(s.mesh.quad(f));
+    return quads;
+  }();
+  core::thin_fans(s);
+  ASSERT_EQ(s.mesh.number_of_faces(), Index(before.size()));
+  for(Index f = 0; f < s.mesh.face_end(); ++f) EXPECT_EQ(s.mesh.quad(f), before[f]);
 }
 
 // What is wanted stays, and so do all nodes of fewer faces.

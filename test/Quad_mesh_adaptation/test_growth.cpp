@@ -163,3 +163,9 @@ TEST(Growth, Two_huge_valences_adapted)
 {
   expect_linear(growth_shapes::kites(30), growth_shapes::kites(240), Uniform{ 2 }, Adapt());
 }
+
+// The spokes at both ends of a can meet its columns by turns.
+TEST(Growth, Fans_that_do_not_fit_each_other_adapted)
+{
+  expect_linear(growth_shapes::can(40, 1), growth_shapes::can(320, 1), Uniform{ 0.5 }, Adapt());
+}

@@ -25,6 +25,17 @@ Shape half_fan(Index n);
 /// turns.
 Shape kites(Index n);
 
+/// n quads from one pole of a sphere to the other, which share all of their edges: two nodes of
+/// valence n, and n doublets between them.
+inline Shape slices(Index n)
+{
+  Shape s{ "slices", { Vec(0, 0, 1), Vec(0, 0, -1) }, {} };
+  for(Index i = 0; i < n; ++i)
+    s.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+  for(Index i = 0; i < n; ++i) s.quads.push_back({ 0, 2 + i, 1, 2 + (i + 1) % n });
+  return s;
+}
+
 /// A fan of n quads with `rings` rings of 2 n quads about it; point j of each ray is `at(j,
 /// angle)`.
 template <typename Place>
@@ -47,6 +58,21 @@ Shape polar_disk(Index n, Index rings);
 
 /// Sphere of this kind, with a second fan opposite the first.
 Shape polar_sphere(Index n, Index rings);
+
+/// A can of radius 1 with a fan of n quads at each end, whose spokes meet the 2 n columns of faces
+/// between them by turns.
+inline Shape can(Index n, Index rings)
+{
+  Shape s = polar(n, rings, Vec(0, 0, 1), [rings](Index j, double a) {
+    return Vec(std::cos(a), std::sin(a), 1 - double(j) / rings);
+  });
+  s.name = "can";
+  const Index centre = Index(s.points.size()), last = 1 + 2 * n * rings;
+  s.points.emplace_back(0, 0, 0);
+  for(Index i = 1; i < 2 * n; i += 2)
+    s.quads.push_back({ centre, last + (i + 2) % (2 * n), last + (i + 1) % (2 * n), last + i });
+  return s;
+}
 
 /// A strip of n faces of side about 1 wound up to a screw line on a cylinder, `around` faces to a
 /// turn: the chord along it crosses every face and has itself as neighbour on both sides.

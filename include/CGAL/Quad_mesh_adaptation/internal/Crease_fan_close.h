@@ -121,7 +121,7 @@ private:
     m.set_origin(from_b_, q); // the face of it is the one that is made
     replace(from_q, from_b_);
     replace(from_s, spoke_);
-    m.vertex(b_).faces = std::int16_t(star_.size() - 3);
+    m.vertex(b_).faces = Index(star_.size()) - 3;
     m.vertex(b_).halfedge = m.next(from_b_);
     if(m.vertex(q).halfedge == from_q) m.vertex(q).halfedge = from_b_;
     lose_face(s, from_s, spoke_);

@@ -242,6 +242,11 @@ private:
     Index hint = start_[t];
     for(Index v : corners)
       if(foot_[v] >= 0) hint = foot_[v];
+    if(is_near_enough(c, hint)) {
+      for(Index v : corners)
+        if(foot_[v] < 0) foot_[v] = hint;
+      return;
+    }
     const int n = s_.surface.has_lift() ? 4 : 2;
     for(int i = 0; i <= n; ++i)
       for(int j = 0; i + j <= n; ++j) {
@@ -252,6 +257,18 @@ private:
         if(corner >= 0) foot_[corners[corner]] = hint;
       }
     measure_back((c[0] + c[1] + c[2]) / 3, t, hint);
+  }
+
+  // Are all points of a triangle so near to the mesh that they do not matter?  One look tells it of
+  // most where the mesh is much coarser than the reference.
+  bool is_near_enough(const std::array<Vec, 3>& c, Index& hint) const
+  {
+    if(is_careful_ || hint < 0 || s_.surface.has_lift()) return false;
+    const Vec centre = (c[0] + c[1] + c[2]) / 3;
+    const double radius =
+        (std::max)({ distance(c[0], centre), distance(c[1], centre), distance(c[2], centre) });
+    const double enough = from_reference_.threshold() - radius;
+    return enough > radius && mesh_.distance_from(centre, enough, hint) <= enough;
   }
 
   void measure_back(Vec p, Index t, Index& hint)

@@ -9,7 +9,6 @@
 #include <CGAL/Quad_mesh_adaptation/internal/permute.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -173,7 +172,7 @@ public:
       c = turn_left(c);
     } while(c >= 0 && c != start);
     vertices_[v].halfedge = start;
-    vertices_[v].faces = std::int16_t(n);
+    vertices_[v].faces = n;
   }
 
   // Gives the faces the numbers of their places in `order`, which names each face once, and the

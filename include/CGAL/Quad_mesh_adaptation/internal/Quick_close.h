@@ -38,7 +38,8 @@ public:
     if(!is_free(a) || !is_free(c) || !may_lose(b) || !may_lose(d)) return false;
     const bool lost_b = is_lost(b), lost_d = is_lost(d);
     const int merged = m.vertex(a).faces + m.vertex(c).faces - 2 - (lost_b || lost_d ? 1 : 0);
-    if(merged > most || merged < 3 || (lost_b && lost_d)) return false;
+    const int least = (std::min)(3, (std::max)(m.vertex(a).faces, m.vertex(c).faces)); // doublets
+    if(merged > most || merged < least || (lost_b && lost_d)) return false;
     const auto square = [&](Index v, int faces) {
       const int more = faces - m.vertex(v).ideal_faces;
       return more * more;
@@ -131,7 +132,7 @@ private:
     merged_.normal = normalized(a.normal + c.normal);
     merged_.h = 0.5 * (a.h + c.h);
     merged_.floor = 0.5 * (a.floor + c.floor);
-    merged_.faces = std::int16_t(a.faces + c.faces - 2);
+    merged_.faces = a.faces + c.faces - 2;
   }
 
   // False where the surface is too far away for the checks to hold.

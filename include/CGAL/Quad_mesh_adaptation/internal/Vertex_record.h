@@ -30,7 +30,7 @@ struct Vertex_record
   Index halfedge = -1;          // outgoing; on the border the one without opposite; -1: deleted
   Index curve = -1;             // where carrier == curve
   Index hint = -1;              // triangle of the reference surface
-  std::int16_t faces = 0;       // number of incident faces
+  Index faces = 0;              // number of incident faces
   std::int16_t ideal_faces = 4; // as the angle of the surface around it asks for
   std::int16_t images = 1;      // of a corner: how many images of its faces will meet in it
   Carrier carrier = Carrier::surface;

@@ -83,7 +83,7 @@ inline void Cavity::write_nodes(const std::vector<Index>& face_of, std::vector<I
       continue;
     }
     Vertex_record r = nodes[n];
-    r.faces = std::int16_t(total_corners_[n]);
+    r.faces = total_corners_[n];
     r.halfedge = -1;
     m.vertex(ids[n]) = r;
     s_.disturb(ids[n]);

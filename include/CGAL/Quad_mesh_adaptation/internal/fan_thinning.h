@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FAN_THINNING_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Crease_fan_close.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Fan_turning.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_scope.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quick_close.h>
@@ -55,13 +56,13 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     const Index a = m.origin(h), b = m.target(h), c = m.target(m.next(h));
-    if(used_[a] || used_[b] || used_[c] || is_huge(m, a) || is_huge(m, b) || is_huge(m, c))
-      return false;
+    if(used_[a] || used_[b] || used_[c] || is_huge(m, a) || is_huge(m, c)) return false;
     const double width = distance(m.point(a), m.point(c));
     if(2 * width > limit_ * 0.5 * (m.vertex(a).h + m.vertex(c).h)) return false; // as it will be
     int squares;
     if(!(close_.is_candidate(h, squares) && close_(h)) && !close_at_crease_(h)) return false;
-    used_[a] = used_[b] = used_[c] = 1;
+    used_[a] = used_[c] = 1;
+    used_[b] = !is_huge(m, b); // which may be the centre of a fan opposite
     return true;
   }
 
@@ -73,6 +74,16 @@ private:
   std::vector<Index> out_;
 };
 
+// By wedges between fans of which some had to be turned to fit the others; if that takes out no
+// face they stay as they were.
+inline void thin_turned_fans(Adaptation_state& s, const std::vector<Index>& nodes, double limit,
+                             double least)
+{
+  if(nodes.empty()) return;
+  Mesh_keeper mesh(s);
+  if(Fan_turning(s)(nodes) > 0 && Row_thinning<Wedge_set>(s, limit, least)() == 0) mesh.restore();
+}
+
 // One round, by wedges where that halves the nodes or nearly; returns the number of faces removed.
 inline std::size_t thin_fans_once(Adaptation_state& s, double limit, double least)
 {
@@ -80,12 +91,16 @@ inline std::size_t thin_fans_once(Adaptation_state& s, double limit, double leas
   const Index before = s.mesh.number_of_faces();
   std::vector<std::pair<Index, int>> given;
   for(Index v : huge_nodes(s.mesh)) given.push_back({ v, s.mesh.vertex(v).faces });
+  const auto left = [&] {
+    std::vector<Index> nodes;
+    for(const auto& g : given)
+      if(is_huge(s.mesh, g.first) && s.mesh.vertex(g.first).faces > nearly * g.second)
+        nodes.push_back(g.first);
+    return nodes;
+  };
   Row_thinning<Wedge_set>(s, limit, least)();
-  std::vector<Index> left;
-  for(const auto& g : given)
-    if(is_huge(s.mesh, g.first) && s.mesh.vertex(g.first).faces > nearly * g.second)
-      left.push_back(g.first);
-  Fan_closing(s, limit, least)(left);
+  thin_turned_fans(s, left(), limit, least);
+  Fan_closing(s, limit, least)(left());
   return std::size_t(before - s.mesh.number_of_faces());
 }
 
