@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOUR_TRIAL_H
 
 #include <CGAL/Quad_mesh_adaptation/Poor_face.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Angle_placing.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
@@ -43,6 +44,7 @@ public:
     const std::vector<char> near = nodes_around(s_.mesh, { f }, 3);
     if(!first()) return Outcome::no_operation;
     improve_about(near);
+    if(moves_for_angles_) place_about(near);
     const bool is_better = faces_too_large(s_).size() <= start_->too_large &&
                            worst_quality(s_) >= start_->least_quality - hair &&
                            crowding() <= start_->crowding &&
@@ -61,6 +63,9 @@ public:
     counts_all_crowds_ = true;
     forget_start();
   }
+
+  // What is left poor after the operations is mended by moves for the sake of angles from now on.
+  void move_for_angles() { moves_for_angles_ = true; }
 
   // The mesh has been changed since the last trial.
   void forget_start()
@@ -128,6 +133,17 @@ private:
     s_.smoothing = smoothing;
   }
 
+  void place_about(std::vector<char> nodes)
+  {
+    nodes.resize(s_.mesh.vertex_end(), 1);
+    Angle_placing place(s_);
+    for(Index f = 0; f < s_.mesh.face_end(); ++f) {
+      if(!s_.mesh.is_face(f)) continue;
+      const Quad q = s_.mesh.quad(f);
+      if(std::any_of(q.begin(), q.end(), [&](Index v) { return nodes[v]; })) place(f);
+    }
+  }
+
   // Operations about the marked nodes, and those that are new since.
   void improve(std::vector<char> nodes, int passes)
   {
@@ -155,7 +171,7 @@ private:
 
   Adaptation_state& s_;
   Improvement_options follow_;
-  bool counts_all_crowds_ = false;
+  bool counts_all_crowds_ = false, moves_for_angles_ = false;
   std::optional<Start> start_;
   std::optional<Mesh_keeper> mesh_;
 };
