@@ -21,7 +21,7 @@ namespace internal {
 // Moves the nodes about a face of poor shape for the sake of angles alone.  Smoothing looks at
 // lengths, too, and at what no move can mend: between features it gives the angles of some faces
 // away for a little more in those that stay poor.  So here a face counts by what it lacks of a goal
-// only, and those that features keep poor do not count as long as they stay useful.
+// only, and those that features keep poor may lose a little.
 //
 // A corner counts by its sine, and the best of a few places about a node is taken, in ever shorter
 // steps: hinges like these give Newton's method nothing to work with.
@@ -29,12 +29,13 @@ class Angle_placing
 {
 public:
   explicit Angle_placing(Adaptation_state& s)
-      : s_(s), useful_(std::clamp(worst_quality(s), 0.2, 0.35))
+      : s_(s), worst_(std::clamp(worst_quality(s), 0., goal))
   {
   }
 
   // About face f, if nothing excuses its shape; in a wider place where a narrow one does not do.
-  // No face comes to be too large or useless by it, nor more faces poor without a reason.
+  // No face comes to be too large by it or worse than all others, nor more faces poor without a
+  // reason.
   void operator()(Index f)
   {
     for(int rings = 1; rings <= 2 && is_unexcused(s_, f); ++rings) place_within(f, rings);
@@ -42,6 +43,7 @@ public:
 
 private:
   static constexpr double goal = Poor_face::floor + 0.01; // of qualities
+  static constexpr double share = 0.85; // of what a face has that features keep poor
 
   void place_within(Index f, int rings)
   {
@@ -75,9 +77,10 @@ private:
     goals_.resize(s_.mesh.face_end());
     least_.resize(s_.mesh.face_end());
     for(Index g : faces_) {
-      least_[g] = (std::min)(useful_, quality_of(g));
+      const double quality = quality_of(g);
       const bool is_poor = is_jacobian_below(s_.corners(g), Poor_face::floor);
-      goals_[g] = is_poor && !is_unexcused(s_, g) ? least_[g] : goal;
+      goals_[g] = is_poor && !is_unexcused(s_, g) ? (std::min)(goal, share * quality) : goal;
+      least_[g] = (std::min)(worst_, quality);
     }
   }
 
@@ -223,10 +226,10 @@ private:
   }
 
   Adaptation_state& s_;
-  const double useful_; // quality that no face loses; faces below it lose nothing
+  const double worst_; // quality of a face in the mesh; none gets worse, those below not at all
   std::vector<Index> nodes_, faces_;
   mutable std::vector<Index> out_;
-  std::vector<double> goals_, least_; // qualities by face: hoped for, and enough
+  std::vector<double> goals_, least_; // by face: the quality hoped for, and the one it must keep
 };
 
 } // namespace internal
