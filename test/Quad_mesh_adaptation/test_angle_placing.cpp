@@ -79,20 +79,20 @@ TEST(Angle_placing, MovesNothingForFacesThatAreGoodOrExcused)
   }
 }
 
-TEST(Angle_placing, KeepsSizesAndTheWorstQuality)
+TEST(Angle_placing, KeepsSizesAndTheWorstShape)
 {
   std::size_t before = 0, after = 0;
   for(unsigned seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);
     Adaptation_state s = state_of(shape_zoo::irregular(8, seed), 0.62);
     const std::size_t unexcused = number_unexcused(s);
-    const double least = core::worst_quality(s);
+    const double least = core::least_scaled_jacobian(s);
     std::vector<double> ratios;
     for(Index f = 0; f < s.mesh.face_end(); ++f) ratios.push_back(s.size_ratio(f));
     const double largest = (std::max)(1., *std::max_element(ratios.begin(), ratios.end()));
     place_all(s);
     EXPECT_LE(number_unexcused(s), unexcused);
-    EXPECT_GE(core::worst_quality(s), (std::min)(least, QMA::Poor_face::floor) - 1e-6);
+    EXPECT_GE(core::least_scaled_jacobian(s), (std::min)(least, QMA::Poor_face::floor) - 1e-6);
     for(Index f = 0; f < s.mesh.face_end(); ++f) EXPECT_LE(s.size_ratio(f), largest + 1e-9);
     EXPECT_EQ(state_checks::curve_problem(s), "");
     EXPECT_EQ(state_checks::cache_problem(s), "");

@@ -29,7 +29,7 @@ class Angle_placing
 {
 public:
   explicit Angle_placing(Adaptation_state& s)
-      : s_(s), worst_(std::clamp(worst_quality(s), 0., goal))
+      : s_(s), worst_(std::clamp(least_scaled_jacobian(s), 0., goal))
   {
   }
 
@@ -190,14 +190,16 @@ private:
 
   bool may_be_here(Index v, const Vertex_record& old, double allowed_ratio)
   {
+    constexpr double hair = 1e-9;
     if(!is_order_kept(s_, v, old)) return false;
     faces_moved(v);
-    const auto is_useless = [this](Index h) {
+    const auto is_too_poor = [this](Index h) {
       const Index f = s_.mesh.face(h);
-      return quality_of(f) < least_[f] - 1e-9;
+      const bool falls_below_all = least_[f] >= 0 && scaled_jacobian(s_.corners(f)) < worst_ - hair;
+      return falls_below_all || quality_of(f) < least_[f] - hair;
     };
     const std::vector<Index>& out = out_of(v);
-    if(std::any_of(out.begin(), out.end(), is_useless)) return false;
+    if(std::any_of(out.begin(), out.end(), is_too_poor)) return false;
     return largest_ratio_about(v) <= allowed_ratio && !loses_surface(s_, v, old) &&
            !leaves_reference(s_, v, old);
   }
@@ -226,7 +228,7 @@ private:
   }
 
   Adaptation_state& s_;
-  const double worst_; // quality of a face in the mesh; none gets worse, those below not at all
+  const double worst_; // scaled Jacobian; no face falls below it, those of less quality not at all
   std::vector<Index> nodes_, faces_;
   mutable std::vector<Index> out_;
   std::vector<double> goals_, least_; // by face: the quality hoped for, and the one it must keep
