@@ -76,11 +76,13 @@ private:
     faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
     goals_.resize(s_.mesh.face_end());
     least_.resize(s_.mesh.face_end());
+    least_jacobian_.resize(s_.mesh.face_end());
     for(Index g : faces_) {
       const double quality = quality_of(g);
       const bool is_poor = is_jacobian_below(s_.corners(g), Poor_face::floor);
       goals_[g] = is_poor && !is_unexcused(s_, g) ? (std::min)(goal, share * quality) : goal;
       least_[g] = (std::min)(worst_, quality);
+      least_jacobian_[g] = (std::min)(worst_, scaled_jacobian(s_.corners(g)));
     }
   }
 
@@ -195,8 +197,8 @@ private:
     faces_moved(v);
     const auto is_too_poor = [this](Index h) {
       const Index f = s_.mesh.face(h);
-      const bool falls_below_all = least_[f] >= 0 && scaled_jacobian(s_.corners(f)) < worst_ - hair;
-      return falls_below_all || quality_of(f) < least_[f] - hair;
+      return scaled_jacobian(s_.corners(f)) < least_jacobian_[f] - hair ||
+             quality_of(f) < least_[f] - hair;
     };
     const std::vector<Index>& out = out_of(v);
     if(std::any_of(out.begin(), out.end(), is_too_poor)) return false;
@@ -231,7 +233,7 @@ private:
   const double worst_; // scaled Jacobian; no face falls below it, those of less quality not at all
   std::vector<Index> nodes_, faces_;
   mutable std::vector<Index> out_;
-  std::vector<double> goals_, least_; // by face: the quality hoped for, and the one it must keep
+  std::vector<double> goals_, least_, least_jacobian_; // by face: hoped for, and to be kept
 };
 
 } // namespace internal
