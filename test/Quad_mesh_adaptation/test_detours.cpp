@@ -8,6 +8,7 @@
 #include "support/usual_calls.h"
 #include "support/usual_files.h"
 
+#include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
 
 #include <gtest/gtest.h>
@@ -94,6 +95,24 @@ TEST(Local_detours, RelieveCrowdedNodesInTheEnd)
     after += too_many(s);
   }
   EXPECT_LT(after, before);
+}
+
+// Six faces about a node on a crease are a fault of an outcome as they are one of its trials.
+TEST(Local_detours, CrowdedNodesOnCreasesCountWhereOutcomesAreCompared)
+{
+  Shape fan{ "fan", { Vec(0, 0, 0) }, {} };
+  for(int i = 0; i < 12; ++i) {
+    const double angle = i * 3.14159265358979 / 6, r = i % 2 == 0 ? 1 : 1.3;
+    fan.points.push_back(Vec(r * std::cos(angle), r * std::sin(angle), 0));
+  }
+  for(Index i = 0; i < 12; i += 2) fan.quads.push_back({ 0, i + 1, i + 2, (i + 2) % 12 + 1 });
+  Options o;
+  o.size = [](const Vec&) { return 10.; };
+  o.constrained = { { 0, 1 }, { 0, 7 } };
+  const Adaptation_state s = make_state(fan, o);
+  ASSERT_EQ(s.mesh.vertex(0).carrier, Carrier::curve);
+  EXPECT_EQ(core::faces_too_many(s, 0), 1);
+  EXPECT_EQ(core::count_faults(s, 1), 1u);
 }
 
 TEST(Local_detours, LeaveGoodMeshesAlone)

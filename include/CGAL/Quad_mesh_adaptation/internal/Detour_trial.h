@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOUR_TRIAL_H
 
 #include <CGAL/Quad_mesh_adaptation/Poor_face.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Angle_placing.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
@@ -43,8 +44,10 @@ public:
     const std::vector<char> near = nodes_around(s_.mesh, { f }, 3);
     if(!first()) return Outcome::no_operation;
     improve_about(near);
+    if(moves_for_angles_) place_about(near);
     const bool is_better = faces_too_large(s_).size() <= start_->too_large &&
                            worst_quality(s_) >= start_->least_quality - hair &&
+                           least_scaled_jacobian(s_) >= start_->least_jacobian - hair &&
                            crowding() <= start_->crowding &&
                            demerits_here() < start_->demerits - least_gain;
     if(!is_better) {
@@ -62,6 +65,9 @@ public:
     forget_start();
   }
 
+  // What is left poor after the operations is mended by moves for the sake of angles from now on.
+  void move_for_angles() { moves_for_angles_ = true; }
+
   // The mesh has been changed since the last trial.
   void forget_start()
   {
@@ -73,7 +79,7 @@ private:
   // What a trial starts from, measured once for all trials up to the first that is better.
   struct Start
   {
-    double demerits, least_quality;
+    double demerits, least_quality, least_jacobian; // folds may hide the latter from the former
     int crowding;
     std::size_t too_large;
     std::vector<char> stirred, restless;
@@ -83,9 +89,13 @@ private:
   void begin()
   {
     if(!start_)
-      start_ = Start{ demerits_here(), (std::min)(worst_quality(s_), Poor_face::floor),
-                      crowding(),      faces_too_large(s_).size(),
-                      s_.stirred,      s_.restless,
+      start_ = Start{ demerits_here(),
+                      (std::min)(worst_quality(s_), Poor_face::floor),
+                      (std::min)(least_scaled_jacobian(s_), Poor_face::floor),
+                      crowding(),
+                      faces_too_large(s_).size(),
+                      s_.stirred,
+                      s_.restless,
                       s_.sizes };
     if(!mesh_) mesh_.emplace(s_);
   }
@@ -128,6 +138,17 @@ private:
     s_.smoothing = smoothing;
   }
 
+  void place_about(std::vector<char> nodes)
+  {
+    nodes.resize(s_.mesh.vertex_end(), 1);
+    Angle_placing place(s_);
+    for(Index f = 0; f < s_.mesh.face_end(); ++f) {
+      if(!s_.mesh.is_face(f)) continue;
+      const Quad q = s_.mesh.quad(f);
+      if(std::any_of(q.begin(), q.end(), [&](Index v) { return nodes[v]; })) place(f);
+    }
+  }
+
   // Operations about the marked nodes, and those that are new since.
   void improve(std::vector<char> nodes, int passes)
   {
@@ -155,7 +176,7 @@ private:
 
   Adaptation_state& s_;
   Improvement_options follow_;
-  bool counts_all_crowds_ = false;
+  bool counts_all_crowds_ = false, moves_for_angles_ = false;
   std::optional<Start> start_;
   std::optional<Mesh_keeper> mesh_;
 };

@@ -98,7 +98,7 @@ inline std::size_t count_faults(const Adaptation_state& s, double limit)
   constexpr double poor = 0.45;
   if(s.mesh.number_of_faces() > many) return faults;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && is_crowded(s, v)) ++faults;
+    if(s.mesh.is_vertex(v) && faces_too_many(s, v) > 0) ++faults;
   for(const Poor_face& p : poor_shapes(s, poor))
     if(p.limit == Shape_limit::none) ++faults;
   return faults;

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_LOCAL_DETOURS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_LOCAL_DETOURS_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Angle_placing.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Detour_trial.h>
 #include <CGAL/Quad_mesh_adaptation/internal/detour_searches.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Work_part.h>
@@ -50,13 +51,15 @@ public:
   }
 
   // For a mesh that is to stay: on the way to it, all trials may have gone to meshes that did not.
-  // Crowded nodes count here, too.  First what helps most often: operations near each place, then
-  // more faces there, then operations farther off.
+  // Crowded nodes count here, too.  First come moves for the sake of angles, then operations, and
+  // such moves after each: near each place, then more faces there, then operations farther off.
   void in_the_end()
   {
     s_.detours_left = trials_in_the_end;
     relieves_crowds_ = true;
     trial_.count_all_crowds();
+    trial_.move_for_angles();
+    place_for_angles();
     mend_unexcused({ &near_ });
     mend_unexcused({ &splits_ });
     mend_unexcused({ &farther_ });
@@ -65,6 +68,18 @@ public:
 
 private:
   using Searches = std::vector<const Detour_search*>;
+
+  // The cheapest that helps, and it makes no faces.
+  void place_for_angles()
+  {
+    Angle_placing place(s_);
+    std::size_t left = most_placings;
+    for(Index f = 0; f < s_.mesh.face_end() && left > 0; ++f) {
+      if(!s_.mesh.is_face(f) || !is_unexcused(s_, f)) continue;
+      place(f);
+      --left;
+    }
+  }
 
   // Those below the floor that is promised go first, each for itself.
   void mend_unexcused(const Searches& searches)
@@ -107,7 +122,7 @@ private:
     for(Index f = 0; f < s_.mesh.face_end(); ++f) {
       if(!s_.mesh.is_face(f) || is_tried(f)) continue;
       const double jacobian = scaled_jacobian(s_.corners(f));
-      if(jacobian >= least || !is_within(f) || !is_unexcused(f)) continue;
+      if(jacobian >= least || !is_within(f) || !is_unexcused(s_, f)) continue;
       least = jacobian;
       worst = f;
     }
@@ -144,17 +159,12 @@ private:
     return std::all_of(q.begin(), q.end(), [this](Index v) { return s_.is_to_work_on(v); });
   }
 
-  bool is_unexcused(Index f) const
-  {
-    const Poor_face p = shape_limit(s_, f, Poor_face::floor);
-    return p.scaled_jacobian < Poor_face::floor && p.limit == Shape_limit::none;
-  }
-
   bool is_to_mend(Index f) const
   {
     const Quad q = s_.mesh.quad(f);
     const auto has_too_many = [this](Index v) { return faces_too_many(s_, v) > 0; };
-    return is_unexcused(f) || (relieves_crowds_ && std::any_of(q.begin(), q.end(), has_too_many));
+    return is_unexcused(s_, f) ||
+           (relieves_crowds_ && std::any_of(q.begin(), q.end(), has_too_many));
   }
 
   // Until face f is good enough or nothing helps; returns the work.
@@ -243,7 +253,8 @@ private:
   static constexpr double most_work = 1e5; // faces in all copies
   static constexpr double most_work_on_unexcused = 4e5;
   static constexpr double work_to_find_it = 0.1; // a face, and to take a part out, for each face
-  static constexpr std::size_t most_trials = 40, most_trials_each = 100, trials_in_the_end = 300;
+  static constexpr std::size_t most_trials = 40, most_trials_each = 100, trials_in_the_end = 300,
+                               most_placings = 500;
   static constexpr int rings = 4; // of faces to work on about a face
 
   Adaptation_state& s_;

@@ -86,6 +86,13 @@ inline Poor_face shape_limit(const Adaptation_state& s, Index f, double floor)
   return p;
 }
 
+// Is face f poorer than promised, with nothing that keeps it so?
+inline bool is_unexcused(const Adaptation_state& s, Index f)
+{
+  return is_jacobian_below(s.corners(f), Poor_face::floor) &&
+         shape_limit(s, f, Poor_face::floor).limit == Shape_limit::none;
+}
+
 // All faces below `floor`, with their numbers in the state.
 inline std::vector<Poor_face> poor_shapes(const Adaptation_state& s, double floor)
 {
