@@ -61,11 +61,11 @@ TEST(Angle_placing, MendsFacesBesideOneThatFeaturesKeepPoor)
   Adaptation_state s = state_of(wedge(3.9), far_larger);
   ASSERT_EQ(number_unexcused(s), 2u);
   ASSERT_EQ(core::shape_limit(s, 0, QMA::Poor_face::floor).limit, QMA::Shape_limit::feature_angle);
+  const state_checks::Snapshot before = state_checks::snapshot(s);
   place_all(s);
   EXPECT_EQ(number_unexcused(s), 0u);
   EXPECT_GT(core::scaled_jacobian(s.corners(0)), 0.15); // has not paid with all it had
-  EXPECT_EQ(state_checks::curve_problem(s), "");
-  EXPECT_EQ(state_checks::cache_problem(s), "");
+  EXPECT_EQ(state_checks::problem_of(s, before, true), "");
 }
 
 TEST(Angle_placing, MovesNothingForFacesThatAreGoodOrExcused)
@@ -90,12 +90,12 @@ TEST(Angle_placing, KeepsSizesAndTheWorstShape)
     std::vector<double> ratios;
     for(Index f = 0; f < s.mesh.face_end(); ++f) ratios.push_back(s.size_ratio(f));
     const double largest = (std::max)(1., *std::max_element(ratios.begin(), ratios.end()));
+    const state_checks::Snapshot snapshot = state_checks::snapshot(s);
     place_all(s);
     EXPECT_LE(number_unexcused(s), unexcused);
     EXPECT_GE(core::least_scaled_jacobian(s), (std::min)(least, QMA::Poor_face::floor) - 1e-6);
     for(Index f = 0; f < s.mesh.face_end(); ++f) EXPECT_LE(s.size_ratio(f), largest + 1e-9);
-    EXPECT_EQ(state_checks::curve_problem(s), "");
-    EXPECT_EQ(state_checks::cache_problem(s), "");
+    EXPECT_EQ(state_checks::problem_of(s, snapshot, true), "");
     before += unexcused;
     after += number_unexcused(s);
   }

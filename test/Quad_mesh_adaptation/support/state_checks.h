@@ -46,8 +46,6 @@ struct Component
 
 std::vector<Quad> quads_of(const Quad_complex& m, std::vector<Vec>& points);
 
-// --- shape
-
 std::size_t number_of_inverted(const Adaptation_state& s);
 
 // --- what to compare with
@@ -62,8 +60,6 @@ struct Snapshot
 };
 
 Snapshot snapshot(const Adaptation_state& s);
-
-// --- curves
 
 // --- all of it
 
