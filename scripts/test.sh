@@ -60,7 +60,7 @@ done
 [[ -z $label || $is_whole_core == no ]] || label=core
 if [[ -n $label ]]; then
   targets+=" ${label}_tests"
-  selection+=(-L "^$label\$")
+  selection+=(-L "$label")
 fi
 
 scripts/install_dependencies.sh
