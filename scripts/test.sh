@@ -16,6 +16,8 @@ folder=release
 targets="all"
 options=(-DCMAKE_BUILD_TYPE=Release)
 label=""
+left_out="" # patterns of tests
+slow=""     # the same, but for --all
 selection=()
 is_long=no
 is_whole_core=no
@@ -32,8 +34,10 @@ for argument in "$@"; do
       options+=(-DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=-O1 -g1"
         -DQUAD_MESH_ADAPTATION_TEST_OPTIONS=-O0
         -DQUAD_MESH_ADAPTATION_SANITIZE=ON -DQUAD_MESH_ADAPTATION_EXAMPLES=OFF)
-      # but for two that take minutes there and do much that others do as well
-      selection=(-E "Adapt_region.RefinedOnSurfaceMesh|Distance.BoundIsMetOrTheFacesAreNamed")
+      # but for some that take long there and do much that others do as well
+      left_out="Adapt_region.RefinedOnSurfaceMesh|Distance.BoundIsMetOrTheFacesAreNamed"
+      slow="AsNearAsPossible|SurfaceMeshCartesian|NodesAstray"
+      slow+="|Graded/(torus|saddle|sphere|irregular|valences|slab_of_genus_2|open_cylinder)"
       ;;
     --cgal6)
       folder=cgal6_tests
@@ -57,7 +61,11 @@ for argument in "$@"; do
   esac
 done
 
-[[ -z $label || $is_whole_core == no ]] || label=core
+if [[ -n $label && $is_whole_core == yes ]]; then
+  label=core
+  slow=""
+fi
+[[ -z $left_out ]] || selection+=(-E "$left_out${slow:+|$slow}")
 if [[ -n $label ]]; then
   targets+=" ${label}_tests"
   selection+=(-L "$label")
