@@ -45,6 +45,7 @@ for argument in "$@"; do
       targets="public_header_checks examples"
       options+=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1
         -DQUAD_MESH_ADAPTATION_TEST_OPTIONS=-O0 -DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
+      slow="Adapt_region.RefinedOnSurfaceMesh|BoundIsMetOrTheFacesAreNamed|RoundsOnABracket"
       ;;
     --all)
       is_whole_core=yes
@@ -65,7 +66,7 @@ if [[ -n $label && $is_whole_core == yes ]]; then
   label=core
   slow=""
 fi
-[[ -z $left_out ]] || selection+=(-E "$left_out${slow:+|$slow}")
+[[ -z $left_out$slow ]] || selection+=(-E "${left_out:-$slow}${slow:+|$slow}")
 if [[ -n $label ]]; then
   targets+=" ${label}_tests"
   selection+=(-L "$label")
