@@ -66,7 +66,8 @@ if [[ -n $label && $is_whole_core == yes ]]; then
   label=core
   slow=""
 fi
-[[ -z $left_out$slow ]] || selection+=(-E "${left_out:-$slow}${slow:+|$slow}")
+[[ -z $slow ]] || left_out+=${left_out:+|}$slow
+[[ -z $left_out ]] || selection+=(-E "$left_out")
 if [[ -n $label ]]; then
   targets+=" ${label}_tests"
   selection+=(-L "$label")

@@ -18,8 +18,8 @@ struct Options
   std::optional<double> elements_per_circle, chord_error, elements_across;
   std::string background;                    // mesh with sizes at its vertices
   std::optional<std::string> error_property; // of the input: error indicators
-  std::optional<double> error_target, error_reduction,
-      error_faces; // one of them where that is given
+  // one of these where that is given
+  std::optional<double> error_target, error_reduction, error_faces;
   double error_order = 1;
   std::optional<double> smallest_size, largest_size;
   std::optional<double> gradation; // largest slope of the size
