@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -185,6 +186,20 @@ inline void descend_one_octave(Adaptation_state& s, const Improvement_options& c
   if(use.local_operations) polish(s, clean, 1, 0);
 }
 
+// Curves whose edges have been split can have gained a node for every bend; operations that make
+// room for these can take one from another bend.
+inline void fit_bends_left(Adaptation_state& s, const Improvement_options& clean)
+{
+  constexpr int most = 5;
+  std::size_t left = std::numeric_limits<std::size_t>::max();
+  for(int round = 0; round < most; ++round) {
+    const std::size_t moved = Curve_bends(s).fit();
+    if(moved > 0) enforce_sizes_and_shapes(s, clean);
+    if(moved == 0 || moved >= left) return;
+    left = moved;
+  }
+}
+
 // Returns how often the sizes that were met first have been halved.
 inline int run_progressively(Adaptation_state& s, const Improvement_options& clean,
                              std::size_t max_iterations, const Schedule_ingredients& use,
@@ -203,8 +218,7 @@ inline int run_progressively(Adaptation_state& s, const Improvement_options& cle
   if(Curve_bends(s).fit() > 0 && use.local_operations) polish_about_bends(s, clean);
   if(use.last_resorts) {
     enforce_sizes_and_shapes(s, clean);
-    // curves whose edges have been split can have gained a node for every bend
-    if(Curve_bends(s).fit() > 0) enforce_sizes_and_shapes(s, clean);
+    fit_bends_left(s, clean);
   }
   release_bends(s);
   return octaves;
