@@ -184,10 +184,11 @@ private:
     const auto node_of = [this](Index v) -> const Vertex_record& { return node(v); };
     double before = 2; // above any
     return are_all([&](const Quad& q) {
-      const double quality = changed_face_quality(q, node_of);
-      if(quality >= (is_changed_face_held(q, node_of) ? least_beside_curves : least_)) return true;
+      const auto [p, reference] = changed_face(q, node_of);
+      const double least = is_changed_face_held(q, node_of) ? least_beside_curves : least_;
+      if(has_quality(p, reference, least)) return true;
       if(before > 1) before = worst_before();
-      return quality >= before;
+      return Adaptation_state::face_quality(p, reference) >= before;
     });
   }
 
