@@ -122,7 +122,7 @@ struct Thinning_limits
 // than `enough`; in steps, so that the mesh stays even.
 inline std::size_t thin_by_faces(Adaptation_state& s, const Thinning_limits& o, Index enough)
 {
-  constexpr double step = 1.4, many = 0.1;
+  constexpr double step = 1.4, many = 0.04;
   const double now = std::sqrt(mean_square_ratio(s));
   double limit = o.share;
   while(limit > 1.7 * now) limit /= step;
