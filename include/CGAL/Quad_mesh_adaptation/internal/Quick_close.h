@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/merged_position.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -182,24 +183,25 @@ private:
   {
     constexpr double least_beside_curves = 0.3;
     const auto node_of = [this](Index v) -> const Vertex_record& { return node(v); };
-    double before = 2; // above any
     return are_all([&](const Quad& q) {
-      const double quality = changed_face_quality(q, node_of);
-      if(quality >= (is_changed_face_held(q, node_of) ? least_beside_curves : least_)) return true;
-      if(before > 1) before = worst_before();
-      return quality >= before;
+      const auto [p, reference] = changed_face(q, node_of);
+      const double least = is_changed_face_held(q, node_of) ? least_beside_curves : least_;
+      return has_quality(p, reference, least) ||
+             was_any_as_bad(Adaptation_state::face_quality(p, reference));
     });
   }
 
-  double worst_before() const
+  // Was the quality of a face about the two nodes no better?
+  bool was_any_as_bad(double quality) const
   {
-    double worst = 1;
-    for(Index g : star_) {
+    const double better = (std::max)(std::nextafter(quality, 2.), 0.01);
+    return std::any_of(star_.begin(), star_.end(), [&](Index g) {
       const Index f = s_.mesh.face(g);
-      worst =
-          (std::min)(worst, Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f)));
-    }
-    return worst;
+      const Corners p = s_.corners(f);
+      const Facing reference = s_.reference_normal(f);
+      return !has_quality(p, reference, better) &&
+             Adaptation_state::face_quality(p, reference) <= quality;
+    });
   }
 
   // The face goes; node c becomes node a.

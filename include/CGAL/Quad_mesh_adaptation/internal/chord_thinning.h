@@ -87,9 +87,11 @@ private:
     const auto node = [this](Index v) -> const Vertex_record& { return nodes_.node(v); };
     const Quad q = s_.mesh.quad(f);
     if(rows_.is_too_long(f, nodes_, limit_)) return false;
-    const double quality = changed_face_quality(q, node);
-    return quality >= (is_changed_face_held(q, node) ? least_beside_curves : least_) ||
-           quality >= Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
+    const auto [p, reference] = changed_face(q, node);
+    return has_quality(p, reference,
+                       is_changed_face_held(q, node) ? least_beside_curves : least_) ||
+           Adaptation_state::face_quality(p, reference) >=
+               Adaptation_state::face_quality(s_.corners(f), s_.reference_normal(f));
   }
 
   // An edge of a closed curve stands for the shorter way round.

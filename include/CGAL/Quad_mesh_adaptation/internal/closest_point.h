@@ -31,10 +31,14 @@ struct Closest_on_triangle
 // Collision Detection, section 5.1.5).
 inline Closest_on_triangle closest_on_triangle(const Vec& p, const std::array<Vec, 3>& c)
 {
-  const Vec ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], bp = p - c[1], cp = p - c[2];
-  const double d1 = ab * ap, d2 = ac * ap, d3 = ab * bp, d4 = ac * bp, d5 = ab * cp, d6 = ac * cp;
+  const Vec ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0];
+  const double d1 = ab * ap, d2 = ac * ap;
   if(d1 <= 0 && d2 <= 0) return { c[0], Triangle_feature::corner, 0 };
+  const Vec bp = p - c[1];
+  const double d3 = ab * bp, d4 = ac * bp;
   if(d3 >= 0 && d4 <= d3) return { c[1], Triangle_feature::corner, 1 };
+  const Vec cp = p - c[2];
+  const double d5 = ab * cp, d6 = ac * cp;
   if(d6 >= 0 && d5 <= d6) return { c[2], Triangle_feature::corner, 2 };
   const double vc = d1 * d4 - d3 * d2;
   if(vc <= 0 && d1 >= 0 && d3 <= 0)

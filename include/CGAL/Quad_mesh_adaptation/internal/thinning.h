@@ -103,6 +103,13 @@ inline bool is_rich_in_curves(const Adaptation_state& s)
   return double(edges) > many * mean_square_ratio(s) * double(s.mesh.number_of_faces());
 }
 
+// Dozens of times as many: shapes and sizes will be made good by what is done later.
+inline bool is_rough_enough(const Adaptation_state& s)
+{
+  constexpr double dozens = 30;
+  return !is_distance_limited(s) && is_far_too_fine(s) && dozens * mean_square_ratio(s) < 1;
+}
+
 // How far faces are closed.
 struct Thinning_limits
 {
@@ -115,7 +122,7 @@ struct Thinning_limits
 // than `enough`; in steps, so that the mesh stays even.
 inline std::size_t thin_by_faces(Adaptation_state& s, const Thinning_limits& o, Index enough)
 {
-  constexpr double step = 1.4, many = 0.1;
+  constexpr double step = 1.4, many = 0.04;
   const double now = std::sqrt(mean_square_ratio(s));
   double limit = o.share;
   while(limit > 1.7 * now) limit /= step;
@@ -158,9 +165,8 @@ inline bool is_regular(const Adaptation_state& s)
 template <typename Look_closer>
 void thin_out(Adaptation_state& s, const Look_closer& look_closer)
 {
-  constexpr double dozens = 30;
   const bool is_quick = !is_distance_limited(s) && is_far_too_fine(s),
-             is_rough = is_quick && dozens * mean_square_ratio(s) < 1;
+             is_rough = is_rough_enough(s);
   if(is_quick) {
     const Index before = s.mesh.number_of_faces();
     thin_by_chords(s, 0.7, is_rough ? 0.2 : 0.35, large_part(s));
