@@ -137,7 +137,10 @@ private:
   void take_values()
   {
     sizes_ = std::move(s_.sizes);
+    ratios_ = std::move(s_.ratios);
+    for(Index f : face_) ratios_.forget(f);
     s_.sizes = Face_values<double>();
+    s_.forget_ratios();
     s_.forget_values();
     for(std::size_t i = 0; i < face_.size(); ++i) {
       if(!sizes_.is_known(face_[i])) continue;
@@ -155,6 +158,7 @@ private:
     s_.sizes = Face_values<double>();
     s_.forget_values();
     s_.sizes = std::move(sizes_);
+    s_.ratios = std::move(ratios_);
     for(Index f = 0; f < Index(face_.size()); ++f)
       if(face_[f] >= 0 && of_part.is_known(f))
         s_.sizes.set(face_[f], of_part[f], s_.mesh.face_end());
@@ -230,7 +234,7 @@ private:
   std::vector<Index> face_, node_;    // of the part: their numbers in the whole
   std::vector<Index> work_, corners_; // corners_: two of each curve, in the whole
   std::vector<Index> outside_; // by node of the part: the half-edge of the rest that leads to it
-  Face_values<double> sizes_;  // of the whole
+  Face_values<double> sizes_, ratios_; // of the whole
   std::function<void(const char*, std::size_t)> end_phase_;
 };
 

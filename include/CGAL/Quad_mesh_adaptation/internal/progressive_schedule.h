@@ -113,6 +113,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(!is_local(s, work)) work = std::vector<Index>();
   std::optional<Work_part> part;
   take_part_out(s, work, part);
+  if(!part) s.forget_ratios();
   Schedule_ingredients use_here = use;
   if(part) {
     work = part->work();
