@@ -42,13 +42,13 @@ inline void refuse_too_many(double faces, const std::string& who = "the sizes as
 }
 
 // Tells the caller where the sizes grow faster than quads can follow.
-inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s,
+inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s, bool fits_mostly,
                             Adaptation_report& report)
 {
   if(s.size.is_constant()) return;
-  report.size_growth = measure_size_growth(
-      in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); }, &s.mesh,
-      s.size.scale() == 1);
+  report.size_growth =
+      measure_size_growth(in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); },
+                          { &s.mesh, s.size.scale() == 1, fits_mostly });
   const std::string text = advice_on(report.size_growth);
   if(!text.empty()) report.advice.push_back(text);
 }
@@ -220,7 +220,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     const bool is_small_change = fits_mostly(report.before.strict_size_ratio);
     if(!is_small_change) kept.reset();
     if(!is_small_change || !kind.is_foretold || bound.is_asked_for()) s.forget_ratios();
-    advise_on_sizes(in, s, report);
+    advise_on_sizes(in, s, is_small_change, report);
     bound.start();
     Frozen_edges frozen(s, in);
     if(frozen.is_any()) report.advice.push_back(frozen.advice());
