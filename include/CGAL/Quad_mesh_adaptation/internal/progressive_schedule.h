@@ -144,7 +144,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   const double fine = s.smoothing.wake;
-  if(part) s.smoothing.wake = (std::max)(fine, 0.01);
+  if(part) s.smoothing.wake = (std::max)(fine, 0.02);
   if(use_here.coarsening) thin_fans_near(s, work);
   if(use.last_resorts) {
     run_several_ways(s, clean, max_iterations, use_here);
