@@ -83,9 +83,9 @@ inline void run_several_ways(Adaptation_state& s, const Improvement_options& cle
   run_other_way(s, clean, max_iterations, other, given);
 }
 
-// Where a large mesh has few faces to work on, and these can be.
-constexpr Index worth_a_part = 10000;
+constexpr Index worth_a_part = 10000; // faces of the whole
 
+// Where a large mesh has few faces to work on, and these can be.
 inline void take_part_out(Adaptation_state& s, const std::vector<Index>& work, bool is_on_own,
                           std::optional<Work_part>& part)
 {
