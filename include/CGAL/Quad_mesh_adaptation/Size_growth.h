@@ -14,7 +14,8 @@ namespace Quad_mesh_adaptation {
 ///
 /// The slope is |h(a) - h(b)| / |a - b| between neighbouring samples: every face is sampled on a
 /// regular grid of at least 3 x 3 points, so at the ends and the middle of every edge, and finer
-/// where the mesh has few faces.  What lies between the samples is not seen.
+/// where the mesh has few faces.  What lies between the samples is not seen.  In a mesh that has
+/// its sizes mostly, faces are sampled at their corners only where the size hardly changes.
 struct Size_growth
 {
   /// The slope that quads follow with good shape.  In the metric that makes every face a unit

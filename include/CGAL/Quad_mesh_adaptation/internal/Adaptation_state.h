@@ -178,7 +178,7 @@ struct Adaptation_state : Run_record, Face_caches
     surface = Reference_surface();
     coverage = Coverage();
     forget_work();
-    sizes = Face_values<double>();
+    sizes = ratios = Face_values<double>();
   }
   // Face `order[i]` has number i now.
   void renumber_faces(const std::vector<Index>& order)
@@ -197,13 +197,21 @@ struct Adaptation_state : Run_record, Face_caches
   }
 
   // Size ratio of eq. 3, in the sampling in use, against the size without floors.
-  double size_ratio(Index f) const { return mean_edge_length(corners(f)) / wanted_size(f); }
-  // The same where corners, mean edge length and the size at the centre, not scaled, are at hand.
+  double size_ratio(Index f) const
+  {
+    return ratios.is_known(f) ? ratios[f] : mean_edge_length(corners(f)) / wanted_size(f);
+  }
+  // The same where corners, mean edge length and the size at the centre, not scaled, are at hand;
+  // known from then on.
   double size_ratio(Index f, const Corners& p, double mean_length, double at_centre) const
   {
-    if(size.is_constant()) return mean_length / size.at_face(p);
+    if(size.is_constant()) {
+      ratios.set(f, mean_length / size.at_face(p), mesh.face_end());
+      return ratios[f];
+    }
     if(!sizes.is_known(f)) sizes.set(f, size.at_face(p, size.scale() * at_centre), mesh.face_end());
-    return mean_length / sizes[f];
+    ratios.set(f, mean_length / sizes[f], mesh.face_end());
+    return ratios[f];
   }
 
   // The same size as in the ratio.  All who judge face f share it: to find it takes five values of

@@ -66,6 +66,19 @@ public:
     assigned_ = true;
   }
 
+  // The same for a part of the mesh, of which `own` consists of the halves, as long as it is there;
+  // afterwards all is to be forgotten.
+  void prepare_part(const Quad_complex& part, const Reference_surface& own,
+                    const Size_sampler& size, const std::vector<Index>& reference_patch)
+  {
+    if(is_off_) return;
+    forget();
+    scale_ = size.scale();
+    if(!own.is_planar()) witnesses_ = choose_witnesses(own, bends_of(own, size), scale_, bound_);
+    assign(part, own, reference_patch);
+    assigned_ = true;
+  }
+
   bool is_empty() const { return !assigned_ || witnesses_.empty(); }
   const Witness& operator[](Index w) const { return witnesses_[w]; }
 

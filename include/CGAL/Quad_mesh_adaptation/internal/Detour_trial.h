@@ -122,6 +122,7 @@ private:
     s_.stirred = start_->stirred;
     s_.restless = start_->restless;
     s_.sizes = start_->sizes;
+    s_.ratios.forget_all();
   }
 
   void improve_about(const std::vector<char>& nodes)

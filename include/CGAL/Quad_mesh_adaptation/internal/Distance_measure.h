@@ -165,10 +165,10 @@ private:
   // that are others now.
   void measure_reference()
   {
-    const std::vector<char> near = faces_near_others(s_.mesh, is_own_);
     // before anything is done, no point of an input that is its own reference is off the mesh
     const std::size_t own = std::size_t(std::count(is_own_.begin(), is_own_.end(), 1));
     if(2 * own == s_.surface.triangles().size()) return;
+    const std::vector<char> near = faces_near_others(s_.mesh, is_own_);
     Mesh_triangles triangles(s_.mesh, &near);
     face_of_ = triangles.face_of();
     mesh_ = triangles.surface(false, Normals::found_anew);

@@ -18,6 +18,7 @@ struct Face_caches
 {
   Face_values<float> energies;          // see cached_energy()
   mutable Face_values<double> sizes;    // see wanted_size()
+  mutable Face_values<double> ratios;   // see size_ratio(); none unless the mesh fits mostly
   Face_values<float> factors;           // see size_factor()
   std::vector<std::uint8_t> factor_age; // moves of its corners since then
   mutable Face_values<float> qualities; // see known_quality(); none unless shapes are mended
@@ -27,6 +28,7 @@ struct Face_caches
   {
     energies.forget(f);
     sizes.forget(f);
+    ratios.forget(f);
     qualities.forget(f);
     if(f < Index(factor_age.size()) && factor_age[f] < 255) ++factor_age[f];
   }
@@ -35,14 +37,18 @@ struct Face_caches
   {
     energies.forget(f);
     sizes.forget(f);
+    ratios.forget(f);
     qualities.forget(f);
     factors.forget(f);
   }
+  // From now on faces may change without notice, as long as sizes do not.
+  void forget_ratios() { ratios = Face_values<double>(); }
   void forget_energies() { energies.forget_all(); }
   void forget_sizes()
   {
     energies.forget_all();
     sizes.forget_all();
+    ratios.forget_all();
   }
   void forget_values()
   {

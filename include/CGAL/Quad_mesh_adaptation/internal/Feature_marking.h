@@ -83,7 +83,8 @@ public:
     if(detected.empty()) return; // nor is any of these a stray one
     set_curves(detected, -1);
     if(is_in_plane(areas) && is_plane()) return; // its creases are tangles
-    if(turn_back(areas)) detected = detect_creases(areas, known);
+    const bool may_be_turned = known || are_folds_among(detected, areas);
+    if(may_be_turned && turn_back(areas)) detected = detect_creases(areas, known);
     if(detected.empty()) return;
     set_curves(detected, 0);
     State_with_creases surface{ s_, areas };
@@ -139,6 +140,18 @@ private:
       detected[h] = detected[o] = 1;
     }
     return detected;
+  }
+
+  // Is any of these edges one that faces turned over have about them?  All are detected, unless
+  // features turn by still more.
+  bool are_folds_among(const std::vector<char>& detected, const std::vector<Vec>& areas) const
+  {
+    if(cos_ <= Turned_faces::back) return true;
+    for(Index h = 0; h < Index(detected.size()); ++h)
+      if(detected[h] &&
+         Turned_faces::is_fold(areas[s_.mesh.face(h)], areas[s_.mesh.face(s_.mesh.opposite(h))]))
+        return true;
+    return false;
   }
 
   // Turns the areas of faces that lie upside down in tangles; are there any?

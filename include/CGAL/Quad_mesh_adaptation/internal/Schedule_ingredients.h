@@ -19,19 +19,23 @@ struct Schedule_ingredients
   bool progressive_sizes = true; // floors where the mesh is too coarse yet
   bool size_aware = true;        // smoothing knows the size
   bool local_operations = true;  // clean-up between levels, annealing and polishing
+  bool clean_up_between = true;  // the first of these
   bool annealing = true;
   bool last_resorts = true; // enforcement of sizes, mending of shapes
 
   double tolerance = 2.5;                      // of the first round of annealing
   int annealing_rounds = 10;                   // see anneal()
+  int annealing_sweeps = 2;                    // of smoothing after each of these
   int polishing_rounds = 5, gentle_rounds = 2; // see polish()
 };
 
 // For a part of a large mesh: most of it is halved, and what is not has been adapted before.
 inline Schedule_ingredients made_light(Schedule_ingredients use)
 {
+  use.clean_up_between = false; // annealing comes at once
   use.tolerance = 1.25;
-  use.annealing_rounds = 5;
+  use.annealing_rounds = 4;
+  use.annealing_sweeps = 1;
   use.polishing_rounds = 1;
   use.gentle_rounds = 0;
   return use;

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_PART_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_WORK_PART_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Part_choice.h>
 
 #include <algorithm>
@@ -23,12 +24,14 @@ class Work_part
 {
 public:
   // Precondition: the choice is separable, or it was made with so few rings about `work`, and all
-  // that is done are operations and moves.
+  // that is done are operations and moves.  `is_on_own`: all faces are their own triangles of the
+  // reference still, and nobody has asked what they cover yet.
   Work_part(Adaptation_state& s, const std::vector<Index>& work, const Part_choice& choice,
-            int rings = rings_to_work_on)
-      : s_(s), face_(choice.faces())
+            int rings = rings_to_work_on, bool is_on_own = false)
+      : s_(s), is_on_own_(is_on_own), face_(choice.faces())
   {
-    s.prepare_coverage(); // later the witnesses of all faces would come to those of the part
+    // later the witnesses of all faces would come to those of the part
+    if(!is_on_own_) s.prepare_coverage();
     const std::vector<char> region = nodes_around(s.mesh, work, rings);
     whole_ = std::exchange(s.mesh, Quad_complex());
     s.curves.push_back(Feature_curve({}, false, false, true)); // the edges to the rest
@@ -36,6 +39,9 @@ public:
     for(Index f : work)
       work_.push_back(Index(std::lower_bound(face_.begin(), face_.end(), f) - face_.begin()));
     take_values();
+    if(is_on_own_)
+      s.coverage.prepare_part(s.mesh, Mesh_triangles(s.mesh).surface(true, Normals::kept), s.size,
+                              s.reference_patch);
     tell_of_whole();
   }
 
@@ -137,7 +143,10 @@ private:
   void take_values()
   {
     sizes_ = std::move(s_.sizes);
+    ratios_ = std::move(s_.ratios);
+    for(Index f : face_) ratios_.forget(f);
     s_.sizes = Face_values<double>();
+    s_.forget_ratios();
     s_.forget_values();
     for(std::size_t i = 0; i < face_.size(); ++i) {
       if(!sizes_.is_known(face_[i])) continue;
@@ -155,10 +164,14 @@ private:
     s_.sizes = Face_values<double>();
     s_.forget_values();
     s_.sizes = std::move(sizes_);
+    s_.ratios = std::move(ratios_);
     for(Index f = 0; f < Index(face_.size()); ++f)
       if(face_[f] >= 0 && of_part.is_known(f))
         s_.sizes.set(face_[f], of_part[f], s_.mesh.face_end());
-    s_.coverage.take_back(face_, s_.mesh.face_end());
+    if(is_on_own_)
+      s_.coverage.forget();
+    else
+      s_.coverage.take_back(face_, s_.mesh.face_end());
   }
 
   // Observers are told of all faces.
@@ -226,11 +239,12 @@ private:
   }
 
   Adaptation_state& s_;
+  bool is_on_own_;
   Quad_complex whole_, part_;
   std::vector<Index> face_, node_;    // of the part: their numbers in the whole
   std::vector<Index> work_, corners_; // corners_: two of each curve, in the whole
   std::vector<Index> outside_; // by node of the part: the half-edge of the rest that leads to it
-  Face_values<double> sizes_;  // of the whole
+  Face_values<double> sizes_, ratios_; // of the whole
   std::function<void(const char*, std::size_t)> end_phase_;
 };
 

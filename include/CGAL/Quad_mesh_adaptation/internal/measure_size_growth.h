@@ -90,6 +90,19 @@ public:
     }
   }
 
+  // As one cell, if nothing steep shows at its corners; tells whether that is so.
+  bool add_gentle(const std::array<Vec, 4>& face, const std::array<double, 4>& at_corners)
+  {
+    constexpr double gentle2 = 0.25 * Size_growth::followed_slope * Size_growth::followed_slope;
+    std::copy(face.begin(), face.end(), points_.begin());
+    std::copy(at_corners.begin(), at_corners.end(), sizes_.begin());
+    const double steepest = steepest_in({ 0, 1, 2, 3 }).squared();
+    if(steepest > gentle2) return false;
+    for(std::size_t k = 0; k < 4; ++k) densities_[k] = 0.25 / (sizes_[k] * sizes_[k]);
+    add_cell({ 0, 1, 2, 3 }, steepest);
+    return true;
+  }
+
   Size_growth result() const
   {
     Size_growth g = growth_;
@@ -189,11 +202,12 @@ class Shared_sizes
 {
 public:
   // `links`: of the quads, if they are known; else only the corners are shared.  `has_sizes`: its
-  // nodes have their sizes already.
+  // nodes have their sizes already.  `asks_all`: all faces are asked for.
   Shared_sizes(const std::vector<Vec>& points, const std::vector<Quad>& quads, const Size& size,
-               const Quad_complex* links, bool has_sizes)
+               const Quad_complex* links, bool has_sizes, bool asks_all)
       : points_(points), quads_(quads), size_(size), links_(links), has_sizes_(has_sizes),
-        at_points_(has_sizes ? 0 : points.size(), 0.), at_middles_(links ? 4 * quads.size() : 0)
+        asks_all_(asks_all), at_points_(has_sizes ? 0 : points.size(), 0.),
+        at_middles_(links && asks_all ? 4 * quads.size() : 0)
   {
   }
 
@@ -210,11 +224,15 @@ public:
     std::array<double, 4> sizes;
     const Quad& q = quads_[f];
     for(int i = 0; i < 4; ++i) {
+      const auto ask = [&] { return size_(0.5 * (points_[q[i]] + points_[q[(i + 1) & 3]])); };
+      if(!asks_all_) {
+        sizes[i] = ask();
+        continue;
+      }
       const std::size_t h = 4 * f + std::size_t(i);
       const Index o = links_->opposite(Index(h));
       const bool is_known = o >= 0 && std::size_t(o) < h;
-      at_middles_[h] = sizes[i] =
-          is_known ? at_middles_[o] : size_(0.5 * (points_[q[i]] + points_[q[(i + 1) & 3]]));
+      at_middles_[h] = sizes[i] = is_known ? at_middles_[o] : ask();
     }
     return sizes;
   }
@@ -235,26 +253,37 @@ private:
   const std::vector<Quad>& quads_;
   const Size& size_;
   const Quad_complex* links_;
-  bool has_sizes_;
+  bool has_sizes_, asks_all_;
   std::vector<double> at_points_, at_middles_; // by half-edge
+};
+
+// What is known before the size is asked for.
+struct Known_for_growth
+{
+  const Quad_complex* links = nullptr; // of the quads
+  bool has_sizes = false;              // do the nodes there have their sizes?
+  bool fits_mostly = false;            // are the quads about as large as the size?
 };
 
 // At least two cells along each side of a face, and some 4096 in all.  Less is asked for of a size
 // where the links of the quads are known, and less still where the nodes there have their sizes.
+// Where the quads fit, too, their corners tell of most that the size hardly grows there.
 template <typename Size>
 Size_growth measure_size_growth(const std::vector<Vec>& points, const std::vector<Quad>& quads,
-                                const Size& size, const Quad_complex* links = nullptr,
-                                bool has_sizes = false)
+                                const Size& size, const Known_for_growth& known = {})
 {
   if(quads.empty()) return Size_growth();
   const int cells = (std::max)(2, int(std::ceil(std::sqrt(4096. / double(quads.size())))));
-  const bool is_linked = links && cells == 2;
+  const bool is_linked = known.links && cells == 2, has_sizes = is_linked && known.has_sizes;
+  const bool looks_first = has_sizes && known.fits_mostly;
   Size_growth_meter meter(size, cells);
-  Shared_sizes shared(points, quads, size, is_linked ? links : nullptr, is_linked && has_sizes);
+  Shared_sizes shared(points, quads, size, is_linked ? known.links : nullptr, has_sizes,
+                      !looks_first);
   for(std::size_t f = 0; f < quads.size(); ++f) {
     const Quad& q = quads[f];
     const std::array<Vec, 4> p = { points[q[0]], points[q[1]], points[q[2]], points[q[3]] };
     const std::array<double, 4> at_corners = shared.at_corners(f);
+    if(looks_first && meter.add_gentle(p, at_corners)) continue;
     if(is_linked)
       meter.add(p, at_corners, shared.at_middles(f));
     else

@@ -169,7 +169,7 @@ private:
   void make_edges()
   {
     for(Index h = 0; h < 4 * m_.face_end(); ++h) {
-      if(!m_.is_face(m_.face(h)) || halfedge_of_[h] != null()) continue;
+      if(halfedge_of_[h] != null() || !m_.is_face(m_.face(h))) continue;
       const Index o = m_.opposite(h);
       halfedge_descriptor d;
       if(o >= 0 && halfedge_of_[o] != null()) {
@@ -190,7 +190,7 @@ private:
       if(o >= 0) halfedge_of_[o] = opposite(d, mesh_);
     }
     for(Index h = 0; h < 4 * m_.face_end(); ++h) {
-      if(!m_.is_face(m_.face(h)) || !changed_[m_.face(h)]) continue;
+      if(!changed_[m_.face(h)] || !m_.is_face(m_.face(h))) continue;
       const halfedge_descriptor d = halfedge_of_[h];
       set_target(d, vertex_of_[m_.target(h)], mesh_);
       set_target(opposite(d, mesh_), vertex_of_[m_.origin(h)], mesh_);
@@ -262,7 +262,7 @@ private:
 
   bool is_true_border(Index h) const
   {
-    if(!m_.is_face(m_.face(h)) || !m_.is_border(h)) return false;
+    if(!m_.is_border(h) || !m_.is_face(m_.face(h))) return false;
     return !s_.curves[m_.curve(h)].is_frozen() ||
            is_border(opposite(halfedge_of_[h], mesh_), mesh_); // else a face outside the region
   }

@@ -23,6 +23,15 @@ inline std::vector<char> faces_with_own_triangles(const Adaptation_state& s)
   return own;
 }
 
+// Are all faces their own two triangles of a surface that is not plane?
+inline bool is_all_on_own_triangles(const Adaptation_state& s)
+{
+  if(s.surface.is_planar()) return false;
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f) && !s.surface.has_halves_of(f, s.corners(f))) return false;
+  return true;
+}
+
 // The faces without, and those within some rings of them; all, if there are none.
 inline std::vector<char> faces_near_others(const Quad_complex& m, const std::vector<char>& own)
 {

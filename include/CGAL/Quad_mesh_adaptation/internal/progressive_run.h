@@ -48,7 +48,7 @@ inline void refine_progressively(Adaptation_state& s, const Improvement_options&
       if(use.progressive_sizes) set_floors(s);
       smooth(s, 3);
     }
-    if(use.local_operations) clean_up(s, clean, 1, 3);
+    if(use.local_operations && use.clean_up_between) clean_up(s, clean, 1, 3);
   }
   clear_floors(s);
 }
@@ -57,14 +57,15 @@ inline void refine_progressively(Adaptation_state& s, const Improvement_options&
 // Dueck and Scheuer 1990).  It carries irregular nodes over the small barriers between them, so
 // that pairs meet and vanish, which strict descent never does.  Each round visits a node at most
 // twice, so this ends by construction like all else.
-inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance, int rounds)
+inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance, int rounds,
+                   int sweeps)
 {
   const double fine = s.smoothing.wake;
-  s.smoothing.wake = 0.01; // all this will move again
+  s.smoothing.wake = (std::max)(fine, 0.01); // all this will move again
   stir_where_irregular(s);
   for(int round = 0; round < rounds; ++round) {
     o.tolerance = tolerance * (rounds - round) / rounds;
-    clean_up_stirred(s, o, 2, 2);
+    clean_up_stirred(s, o, 2, sweeps);
   }
   s.smoothing.wake = fine;
   s.disturb_all();
@@ -120,7 +121,8 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
   // where halving has gone too far by the same everywhere, single rows can go again
   if(use.coarsening) spare_rows(s);
   s.progress = 0.5;
-  if(use.local_operations && use.annealing) anneal(s, clean, use.tolerance, use.annealing_rounds);
+  if(use.local_operations && use.annealing)
+    anneal(s, clean, use.tolerance, use.annealing_rounds, use.annealing_sweeps);
   if(use.local_operations) polish(s, clean, use.polishing_rounds, use.gentle_rounds);
 }
 

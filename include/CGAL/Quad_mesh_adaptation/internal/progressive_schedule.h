@@ -12,6 +12,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/fan_thinning.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
+#include <CGAL/Quad_mesh_adaptation/internal/own_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_run.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
@@ -82,14 +83,36 @@ inline void run_several_ways(Adaptation_state& s, const Improvement_options& cle
   run_other_way(s, clean, max_iterations, other, given);
 }
 
+constexpr Index worth_a_part = 10000; // faces of the whole
+
 // Where a large mesh has few faces to work on, and these can be.
-inline void take_part_out(Adaptation_state& s, const std::vector<Index>& work,
+inline void take_part_out(Adaptation_state& s, const std::vector<Index>& work, bool is_on_own,
                           std::optional<Work_part>& part)
 {
-  constexpr Index worth_it = 10000;
-  if(work.empty() || s.mesh.number_of_faces() <= worth_it) return;
+  if(work.empty() || s.mesh.number_of_faces() <= worth_a_part) return;
   const Part_choice choice(s.mesh, work);
-  if(choice.is_separable(s)) part.emplace(s, work, choice);
+  if(choice.is_separable(s)) part.emplace(s, work, choice, rings_to_work_on, is_on_own);
+}
+
+// The faces to work on, none if these are not few.  Where a part can be taken out for them only
+// that has to know what it covers of the surface; as long as all faces lie on it, none of them has
+// left a witness behind.
+inline std::vector<Index> find_work(Adaptation_state& s, std::optional<Work_part>& part,
+                                    bool& is_adapted)
+{
+  const bool is_on_own = s.mesh.number_of_faces() > worth_a_part && is_all_on_own_triangles(s);
+  if(!is_on_own) s.prepare_coverage();
+  std::vector<Index> work = faces_to_work_on(s);
+  if(is_on_own && is_local(s, work)) take_part_out(s, work, true, part);
+  if(part) return part->work();
+  if(is_on_own) {
+    s.prepare_coverage();
+    if(!s.coverage.is_empty()) work = faces_to_work_on(s);
+  }
+  is_adapted = work.empty() && !is_too_fine(s);
+  if(!is_local(s, work)) work.clear();
+  take_part_out(s, work, false, part);
+  return part ? part->work() : work;
 }
 
 // Where there is little to work on the fans about that only.
@@ -106,16 +129,13 @@ inline void thin_fans_near(Adaptation_state& s, const std::vector<Index>& work)
 inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations,
                                  const Schedule_ingredients& use = {})
 {
-  s.prepare_coverage();
-  std::vector<Index> work = faces_to_work_on(s);
-  const bool adapted = work.empty() && !is_too_fine(s);
-  if(adapted && !(use.coarsening && may_spare_rows(s))) return;
-  if(!is_local(s, work)) work = std::vector<Index>();
   std::optional<Work_part> part;
-  take_part_out(s, work, part);
+  bool adapted = false;
+  const std::vector<Index> work = find_work(s, part, adapted);
+  if(adapted && !(use.coarsening && may_spare_rows(s))) return;
+  if(!part) s.forget_ratios();
   Schedule_ingredients use_here = use;
   if(part) {
-    work = part->work();
     use_here = made_light(use);
     use_here.coarsening = use.coarsening && are_many_too_small(s, work);
   }
@@ -124,7 +144,7 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   const Improvement_options clean;
   if(!use.size_aware) s.smoothing.size = 0;
   const double fine = s.smoothing.wake;
-  if(part) s.smoothing.wake = (std::max)(fine, 0.01);
+  if(part) s.smoothing.wake = (std::max)(fine, 0.02);
   if(use_here.coarsening) thin_fans_near(s, work);
   if(use.last_resorts) {
     run_several_ways(s, clean, max_iterations, use_here);

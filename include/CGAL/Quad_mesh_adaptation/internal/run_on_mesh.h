@@ -42,15 +42,23 @@ inline void refuse_too_many(double faces, const std::string& who = "the sizes as
 }
 
 // Tells the caller where the sizes grow faster than quads can follow.
-inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s,
+inline void advise_on_sizes(const Input_mesh& in, const Adaptation_state& s, bool fits_mostly,
                             Adaptation_report& report)
 {
   if(s.size.is_constant()) return;
-  report.size_growth = measure_size_growth(
-      in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); }, &s.mesh,
-      s.size.scale() == 1);
+  report.size_growth =
+      measure_size_growth(in.points, in.quads, [&s](const Vec& p) { return s.size.unscaled(p); },
+                          { &s.mesh, s.size.scale() == 1, fits_mostly });
   const std::string text = advice_on(report.size_growth);
   if(!text.empty()) report.advice.push_back(text);
+}
+
+// Most results have none, as is known when they have been measured.
+inline std::vector<Poor_face> poor_faces_of(const Adaptation_state& s, const Mesh_measures& result)
+{
+  constexpr double margin = 1e-6;
+  if(result.min_scaled_jacobian > Poor_face::floor + margin) return {};
+  return poor_faces(s, Poor_face::floor);
 }
 
 // Faces of a plane that face the other way than most of it.
@@ -209,8 +217,10 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     if(reference) advise_on_reference(in, s, report);
     std::optional<Figures_of_faces> kept(in);
     report.before = measured_state(s, reference, &*kept);
-    if(!fits_mostly(report.before.strict_size_ratio)) kept.reset();
-    advise_on_sizes(in, s, report);
+    const bool is_small_change = fits_mostly(report.before.strict_size_ratio);
+    if(!is_small_change) kept.reset();
+    if(!is_small_change || !kind.is_foretold || bound.is_asked_for()) s.forget_ratios();
+    advise_on_sizes(in, s, is_small_change, report);
     bound.start();
     Frozen_edges frozen(s, in);
     if(frozen.is_any()) report.advice.push_back(frozen.advice());
@@ -244,7 +254,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     advise_on_features(s, report);
     const std::vector<Index> far = bound.faces_too_far();
     judge_distances(report, bound.allowed(), far.size());
-    const std::vector<Poor_face> poor = poor_faces(s, Poor_face::floor);
+    const std::vector<Poor_face> poor = poor_faces_of(s, report.after);
     s.forget_surface(); // its memory is needed to write
     Mesh_export<QuadMesh, decltype(vpm), decltype(ecm)> write(mesh, vpm, ecm, in, descriptors, s);
     write(); // from here on nothing of the caller's is called any more but his maps

@@ -31,6 +31,15 @@ public:
     spread();
   }
 
+  static constexpr double back = -0.5; // cosine of 120 degrees
+
+  // Between faces of these areas.
+  static bool is_fold(const Vec& a, const Vec& b)
+  {
+    const double product = a * b;
+    return product < 0 && product * product > back * back * (a * a) * (b * b);
+  }
+
   bool is_any() const { return is_any_; }
   // Is face f one of them?
   bool has(Index f) const { return is_any_ && part_[parts_.of(f)].is_turned; }
@@ -46,11 +55,7 @@ private:
 
   bool is_fold(Index h) const
   {
-    constexpr double back = -0.5; // cosine of 120 degrees
-    if(m_.curve(h) >= 0) return false;
-    const Vec &a = areas_[m_.face(h)], &b = areas_[m_.face(m_.opposite(h))];
-    const double product = a * b;
-    return product < 0 && product * product > back * back * (a * a) * (b * b);
+    return m_.curve(h) < 0 && is_fold(areas_[m_.face(h)], areas_[m_.face(m_.opposite(h))]);
   }
 
   void measure_parts()

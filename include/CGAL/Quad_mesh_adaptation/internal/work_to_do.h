@@ -39,15 +39,18 @@ inline bool is_good(const Adaptation_state& s)
   return true;
 }
 
-// Mean square of the size ratios about each node.
-inline std::vector<float> mean_squares_about_nodes(const Adaptation_state& s,
-                                                   const std::vector<float>& of_faces)
+// For some faces the mean of a value over the faces about their corners; right where all of these
+// are among the given ones, which are in order.
+inline void average_over_neighbours(const Adaptation_state& s, const std::vector<Index>& faces,
+                                    std::vector<float>& value)
 {
   std::vector<float> sum(s.mesh.vertex_end(), 0);
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f))
-      for(Index v : s.mesh.quad(f)) sum[v] += of_faces[f] / float(s.mesh.vertex(v).faces);
-  return sum;
+  for(Index f : faces)
+    for(Index v : s.mesh.quad(f)) sum[v] += value[f] / float(s.mesh.vertex(v).faces);
+  for(Index f : faces) {
+    const Quad q = s.mesh.quad(f);
+    value[f] = 0.25f * (sum[q[0]] + sum[q[1]] + sum[q[2]] + sum[q[3]]);
+  }
 }
 
 // Of the faces of which `square` is below `limit`, those in connected places that could do with so
@@ -80,24 +83,42 @@ inline std::vector<char> places_that_matter(const Quad_complex& m, const std::ve
   return result;
 }
 
+inline std::vector<Index> faces_with_marked_nodes(const Quad_complex& m,
+                                                  const std::vector<char>& marked)
+{
+  std::vector<Index> list;
+  for(Index f = 0; f < m.face_end(); ++f) {
+    if(!m.is_face(f)) continue;
+    const Quad q = m.quad(f);
+    if(std::any_of(q.begin(), q.end(), [&](Index v) { return marked[v]; })) list.push_back(f);
+  }
+  return list;
+}
+
 // Faces among which there are clearly more than the sizes ask for, by the mean over those about the
-// corners of those about its corners.
+// corners of those about its corners: such a mean lies two rings from a face that is small itself
+// at most, and with one more ring all that it needs is at hand.
 inline std::vector<char> faces_among_too_many(const Adaptation_state& s)
 {
-  constexpr float too_many = 0.45f;
+  constexpr float too_many = 0.45f, margin = 1e-3f;
   const Quad_complex& m = s.mesh;
   std::vector<float> square(m.face_end(), 0);
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f)) square[f] = float((std::min)(s.size_ratio(f) * s.size_ratio(f), 1.));
-  for(int time = 0; time < 2; ++time) {
-    const std::vector<float> about = mean_squares_about_nodes(s, square);
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
-      const Quad q = m.quad(f);
-      square[f] = 0.25f * (about[q[0]] + about[q[1]] + about[q[2]] + about[q[3]]);
-    }
+  std::vector<Index> small;
+  for(Index f = 0; f < m.face_end(); ++f) {
+    if(!m.is_face(f)) continue;
+    const double r = s.size_ratio(f);
+    square[f] = float((std::min)(r * r, 1.));
+    if(square[f] < too_many + margin) small.push_back(f);
   }
-  return places_that_matter(m, square, too_many);
+  const std::vector<Index> near = faces_with_marked_nodes(m, nodes_around(m, small, 3));
+  for(int time = 0; time < 2; ++time) average_over_neighbours(s, near, square);
+  const std::vector<char> is_right = nodes_around(m, small, 1);
+  std::vector<float> mean(m.face_end(), 1);
+  for(Index f : near) {
+    const Quad q = m.quad(f);
+    if(std::any_of(q.begin(), q.end(), [&](Index v) { return is_right[v]; })) mean[f] = square[f];
+  }
+  return places_that_matter(m, mean, too_many);
 }
 
 // Faces about which there is something to do; those, too, that have left the surface (by half a
