@@ -18,10 +18,10 @@ namespace internal {
 inline double mean_edge_length(const Input_mesh& in)
 {
   double sum = 0;
-  for(const auto& quad : in.quads)
-    for(std::size_t i = 0; i < 4; ++i)
-      sum += distance(in.points[quad[i]], in.points[quad[(i + 1) % 4]]);
-  return sum / double(4 * in.quads.size());
+  for(const Quad& q : in.quads)
+    sum += mean_edge_length(
+        Corners{ in.points[q[0]], in.points[q[1]], in.points[q[2]], in.points[q[3]] });
+  return sum / double(in.quads.size());
 }
 
 // Tells of vertices that had to go far to come to the reference surface: no coarse mesh of it has

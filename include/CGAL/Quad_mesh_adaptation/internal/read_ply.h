@@ -141,10 +141,10 @@ public:
   {
     Ply_header header;
     Read_result result = read_ply_header(bytes_, header);
+    if(!result.ok()) return result;
     constexpr std::size_t max_points = (std::numeric_limits<Index>::max)();
     for(const Ply_element& element : header.elements)
       if(element.name == "vertex") number_of_points_ = (std::min)(element.count, max_points);
-    if(!result.ok()) return result;
     Ply_data data(bytes_.substr(header.end), header.format);
     for(const Ply_element& element : header.elements) {
       result = read_element(element, data);
