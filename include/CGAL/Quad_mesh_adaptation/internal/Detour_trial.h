@@ -9,7 +9,6 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
-#include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -161,8 +160,7 @@ private:
     smooth(s_, 4);
   }
 
-  // A face a tenth below the floor may cost two irregular nodes and two faces.
-  double demerits_here() { return total_energy(s_) + 80 * (shape_faults(s_) + crowds_left_out()); }
+  double demerits_here() { return energy_and_faults(s_, crowds_left_out()); }
 
   // Faces too many at nodes that the faults of shape do not count.
   int crowds_left_out() const

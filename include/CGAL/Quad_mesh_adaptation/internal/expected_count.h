@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_EXPECTED_COUNT_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Attainable_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
 
 #include <algorithm>
@@ -20,17 +21,6 @@ struct Curve_edges
 {
   double border = 0, inner = 0;
 };
-
-inline double length_in_sizes(const Feature_curve& c, const Size_sampler& size)
-{
-  double sum = 0;
-  for(std::size_t i = 0; i + 1 < c.points().size(); ++i) {
-    const Vec &a = c.points()[i], &b = c.points()[i + 1];
-    // Simpson's rule
-    sum += distance(a, b) * (1 / size.at(a) + 4 / size.at(0.5 * (a + b)) + 1 / size.at(b)) / 6;
-  }
-  return sum;
-}
 
 inline Curve_edges curve_edges(const Adaptation_state& s)
 {

@@ -122,7 +122,7 @@ private:
     for(Index f = 0; f < s_.mesh.face_end(); ++f) {
       if(!s_.mesh.is_face(f) || is_tried(f)) continue;
       const double jacobian = scaled_jacobian(s_.corners(f));
-      if(jacobian >= least || !is_within(f) || !is_unexcused(s_, f)) continue;
+      if(jacobian >= least || !is_within(f) || !is_poorer_than_need_be(s_, f)) continue;
       least = jacobian;
       worst = f;
     }
@@ -163,7 +163,7 @@ private:
   {
     const Quad q = s_.mesh.quad(f);
     const auto has_too_many = [this](Index v) { return faces_too_many(s_, v) > 0; };
-    return is_unexcused(s_, f) ||
+    return is_poorer_than_need_be(s_, f) ||
            (relieves_crowds_ && std::any_of(q.begin(), q.end(), has_too_many));
   }
 

@@ -93,6 +93,19 @@ inline bool is_unexcused(const Adaptation_state& s, Index f)
          shape_limit(s, f, Poor_face::floor).limit == Shape_limit::none;
 }
 
+// The same, but an excuse holds only as far as it goes: an angle between features leaves its sine,
+// and what else there is does not make a face useless.
+inline bool is_poorer_than_need_be(const Adaptation_state& s, Index f)
+{
+  constexpr double share = 0.5, useless = 0.15;
+  if(!is_jacobian_below(s.corners(f), Poor_face::floor)) return false;
+  const Poor_face p = shape_limit(s, f, Poor_face::floor);
+  if(p.limit == Shape_limit::none) return true;
+  return p.scaled_jacobian < (p.limit == Shape_limit::feature_angle
+                                  ? share * std::sin(p.angle * 3.14159265358979323846 / 180)
+                                  : useless);
+}
+
 // All faces below `floor`, with their numbers in the state.
 inline std::vector<Poor_face> poor_shapes(const Adaptation_state& s, double floor)
 {

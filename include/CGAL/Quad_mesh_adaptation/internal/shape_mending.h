@@ -6,7 +6,9 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
+#include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
+#include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -65,35 +67,72 @@ inline double shape_faults(const Adaptation_state& s)
   return faults;
 }
 
-// Splits for more freedom may leave more wrong than there was; then they are taken back.
+// What a mesh is judged by where shapes are mended at the price of faces: a face a tenth below the
+// floor may cost two irregular nodes and two faces.
+inline double energy_and_faults(Adaptation_state& s, double more_faults = 0)
+{
+  constexpr double price = 80;
+  return total_energy(s) + price * (shape_faults(s) + more_faults);
+}
+
+// Splits for more freedom about poor faces, all at once.  Where features stand close they lead to
+// ever more faces that are as poor, so each time all goes back unless they have paid for their
+// faces.
 class Mending_splits
 {
 public:
-  explicit Mending_splits(Adaptation_state& s) : s_(s) {}
+  // `usual`: the weights of the energy that meshes are judged by.
+  Mending_splits(Adaptation_state& s, const Energy_weights& usual) : s_(s), usual_(usual) {}
 
   void operator()()
   {
-    if(!before_) {
-      before_.emplace(s_);
-      faults_ = shape_faults(s_);
-    }
-    std::vector<Index> faces = faces_to_mend(s_, worth_more_faces);
-    const auto beyond_help = [this](Index f) { return is_beyond_help(s_, f); };
-    faces.erase(std::remove_if(faces.begin(), faces.end(), beyond_help), faces.end());
+    take_back_unless_better();
+    if(in_vain_) return;
+    const std::vector<Index> faces = faces_worth_more();
+    if(faces.empty()) return;
+    before_.emplace(s_);
+    judged_ = judge();
     split_too_large(s_, faces);
   }
 
   void take_back_unless_better()
   {
-    if(before_ && shape_faults(s_) >= faults_) before_->restore();
+    if(!before_) return;
+    in_vain_ = judge() >= judged_;
+    if(in_vain_) before_->restore();
+    before_.reset();
   }
 
 private:
-  static constexpr double worth_more_faces = 0.55; // quality below which faces are
+  // Those that neither features nor edges that must not change keep as they are.
+  std::vector<Index> faces_worth_more() const
+  {
+    constexpr double worth_it = 0.55; // quality
+    std::vector<Index> faces = faces_to_mend(s_, worth_it);
+    const auto stays = [&](Index f) {
+      return is_beyond_help(s_, f) || (known_quality(s_, f) < worth_it &&
+                                       shape_limit(s_, f, worth_it).limit != Shape_limit::none);
+    };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), stays), faces.end());
+    return faces;
+  }
+
+  double judge()
+  {
+    const Energy_weights mending = s_.energy;
+    s_.energy = usual_;
+    s_.forget_energies();
+    const double sum = energy_and_faults(s_);
+    s_.energy = mending;
+    s_.forget_energies();
+    return sum;
+  }
 
   Adaptation_state& s_;
-  std::optional<Mesh_keeper> before_; // the first
-  double faults_ = 0;
+  const Energy_weights usual_;
+  std::optional<Mesh_keeper> before_; // the last splits
+  double judged_ = 0;                 // then
+  bool in_vain_ = false;
 };
 
 // The faces below the floor get what the energy of the whole mesh did not grant them: about them
@@ -110,7 +149,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
   mending.corner = true;
   mending.valence_gain = -1e9; // swaps for the sake of shapes, too
   s.smoothing.keep_within_size = true;
-  Mending_splits split(s);
+  Mending_splits split(s, energy);
   Touched_nodes touched(s);
   for(int round = 0; round < max_rounds; ++round) {
     const std::vector<Index> bad = faces_to_mend(s, shape_floor);
@@ -121,7 +160,7 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
     s.energy.valence = (std::min)(2 * s.energy.valence, 4 * energy.valence);
     s.smoothing.size *= 0.5;
     s.forget_energies();
-    if(round % 4 == 3) split();
+    if(round % 4 == 3 && round + 1 < max_rounds) split();
     smooth_near(s, faces_to_mend(s, shape_floor));
     mending.tolerance = round % 3 == 1 ? 1.5 : 0; // to get past what keeps it bad
     s.stirred = nodes_around(s.mesh, faces_to_mend(s, shape_floor), 2);
@@ -129,11 +168,11 @@ inline void mend_shapes(Adaptation_state& s, const Improvement_options& o, int m
     smooth_near(s, faces_to_mend(s, shape_floor));
     if(done == 0 && round > 3) break;
   }
+  split.take_back_unless_better();
   s.smoothing = gentle;
   s.energy = energy;
   s.forget_energies();
   settle(s, o, 2, touched);
-  split.take_back_unless_better();
 }
 
 } // namespace internal
