@@ -62,7 +62,8 @@ inline double count_of_even_halvings(const Adaptation_state& s)
 inline double expected_count(const Adaptation_state& s, double ideal_number_of_faces,
                              double mean_square_slope, double scale)
 {
-  constexpr double per_face = 1.067, per_border_edge = 0.06, per_inner_edge = 0.6, per_slope = 0.41;
+  constexpr double per_face = 1.067, per_border_edge = 0.06, per_inner_edge = 0.5, per_slope = 0.41,
+                   per_forced_face = 0.8;
   if(is_adapted(s)) return double(s.mesh.number_of_faces());
   const double even = count_of_even_halvings(s);
   // the schedule takes rows out again where halving leaves far too many
@@ -70,7 +71,7 @@ inline double expected_count(const Adaptation_state& s, double ideal_number_of_f
   const Curve_edges edges = curve_edges(s);
   const double faces =
       (per_face + per_slope * mean_square_slope) * ideal_number_of_faces / (scale * scale) +
-      per_face * Attainable_sizes(s).forced_faces();
+      per_forced_face * Attainable_sizes(s).forced_faces();
   return (std::max)(1., faces + per_border_edge * edges.border + per_inner_edge * edges.inner);
 }
 
