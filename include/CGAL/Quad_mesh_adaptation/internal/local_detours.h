@@ -251,9 +251,9 @@ private:
   }
 
   static constexpr double most_work = 1e5; // faces in all copies
-  static constexpr double most_work_on_unexcused = 4e5;
+  static constexpr double most_work_on_unexcused = 8e5;
   static constexpr double work_to_find_it = 0.1; // a face, and to take a part out, for each face
-  static constexpr std::size_t most_trials = 40, most_trials_each = 100, trials_in_the_end = 300,
+  static constexpr std::size_t most_trials = 40, most_trials_each = 100, trials_in_the_end = 600,
                                most_placings = 500;
   static constexpr int rings = 4; // of faces to work on about a face
 
