@@ -6,7 +6,6 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -20,12 +19,9 @@ class Tried_places
 public:
   void remember(const Adaptation_state& s)
   {
-    const Quad_complex& m = s.mesh;
-    points_.resize(m.vertex_end());
-    for(Index v = 0; v < m.vertex_end(); ++v) points_[v] = m.point(v);
-    quads_.assign(m.face_end(), Quad{ -1, -1, -1, -1 });
-    for(Index f = 0; f < m.face_end(); ++f)
-      if(m.is_face(f)) quads_[f] = m.quad(f);
+    faces_.clear();
+    for(Index f = 0; f < s.mesh.face_end(); ++f)
+      if(s.mesh.is_face(f)) faces_.push_back({ f, s.mesh.quad(f), s.corners(f) });
     untried_ = s.stirred;
   }
 
@@ -36,31 +32,41 @@ public:
   // those of faces that are others or have another shape; all of them if nothing is remembered.
   void leave_changed(Adaptation_state& s) const
   {
-    if(quads_.empty()) return;
+    if(faces_.empty()) return;
     std::vector<char> changed = untried_;
     changed.resize(s.mesh.vertex_end(), 1);
-    for(Index f = 0; f < s.mesh.face_end(); ++f)
-      if(s.mesh.is_face(f) && has_changed(s, f))
+    auto old = faces_.begin();
+    for(Index f = 0; f < s.mesh.face_end(); ++f) {
+      while(old != faces_.end() && old->number < f) ++old;
+      const bool is_known = old != faces_.end() && old->number == f;
+      if(s.mesh.is_face(f) && !(is_known && is_unchanged(s, *old)))
         for(Index v : s.mesh.quad(f)) changed[v] = 1;
+    }
     for(Index v = 0; v < Index(s.stirred.size()); ++v)
       s.stirred[v] = s.stirred[v] && (v >= Index(changed.size()) || changed[v]);
   }
 
 private:
+  struct Face
+  {
+    Index number;
+    Quad quad;
+    Corners corners;
+  };
+
   // Smoothing goes on while operations are searched for, so that small moves are everywhere.
-  bool has_changed(const Adaptation_state& s, Index f) const
+  static bool is_unchanged(const Adaptation_state& s, const Face& old)
   {
     constexpr double share = 0.05; // of an edge
-    const Quad q = s.mesh.quad(f);
-    if(f >= Index(quads_.size()) || quads_[f] != q) return true;
-    const double enough = share * mean_edge_length(s.corners(f));
-    return std::any_of(q.begin(), q.end(), [&](Index v) {
-      return (s.mesh.point(v) - points_[v]).squared_length() > enough * enough;
-    });
+    if(old.quad != s.mesh.quad(old.number)) return false;
+    const Corners p = s.corners(old.number);
+    const double enough = share * mean_edge_length(p);
+    for(int i = 0; i < 4; ++i)
+      if((p[i] - old.corners[i]).squared_length() > enough * enough) return false;
+    return true;
   }
 
-  std::vector<Vec> points_;
-  std::vector<Quad> quads_;   // -1 where there was no face
+  std::vector<Face> faces_;   // in order; of a mesh that was thinned out few numbers are in use
   std::vector<char> untried_; // nodes
 };
 
