@@ -193,7 +193,7 @@ inline void descend_one_octave(Adaptation_state& s, const Improvement_options& c
 inline void fit_bends_left(Adaptation_state& s, const Improvement_options& clean)
 {
   constexpr int most = 5;
-  std::size_t left = std::numeric_limits<std::size_t>::max();
+  std::size_t left = (std::numeric_limits<std::size_t>::max)();
   for(int round = 0; round < most; ++round) {
     const std::size_t moved = Curve_bends(s).fit();
     if(moved > 0) enforce_sizes_and_shapes(s, clean);
