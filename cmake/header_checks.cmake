@@ -8,7 +8,8 @@ file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPEN
 find_package(Eigen3 3.3 QUIET NO_MODULE)
 if(NOT TARGET Eigen3::Eigen)
   message(STATUS "The headers for curvature are not checked, missing: Eigen")
-  list(FILTER headers EXCLUDE REGEX "(Curvature_sizing_field|Fold_curvature|vertex_curvatures)\\.h$")
+  list(FILTER headers EXCLUDE REGEX
+    "(Curvature_sizing_field|Fold_curvature|Principal_curvatures|chord_sizes|vertex_curvatures)\\.h$")
 endif()
 set(sources "")
 set(public_sources "")

@@ -111,6 +111,8 @@ int run(const Options& options)
   if(exit_code == exit_interrupted) return refuse("interrupted, nothing was written", exit_code);
   if(exit_code != 0) return exit_code;
   if(!options.is_quiet) print_report(std::cout, report);
+  if(!options.is_quiet && !options.gradation && report.size_growth.is_too_steep())
+    std::cout << "The option --gradation bounds the growth of the size\n";
   if(report.status == QMA::Adaptation_status::sizes_met) return exit_sizes_met;
   return refuse("not all that was asked for is met: " + report.message, exit_sizes_not_met);
 }

@@ -24,7 +24,7 @@ Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const Sizi
   const std::size_t iterations = decode_iterations(np);
   const bool paper = is_paper_schedule(np);
   return run_on_mesh(faces, is_region, sizing, mesh, np, Call_kind{ paper, !paper, !paper },
-                     [&](Adaptation_state& s, Adaptation_report&) {
+                     [&](Adaptation_state& s) {
                        if(paper)
                          run_paper_schedule(s, iterations);
                        else
@@ -58,8 +58,8 @@ Roundtable, 2009), section 3.3, runs step by step.
   - `face_patch_map(fpm)`, a model of `ReadWritePropertyMap` with any comparable value: edges
     between different patches are feature curves, too, and new faces get the patch of those they
     replace;
-  - `number_of_iterations(n)`: the most passes of refinement; default
-    `default_number_of_iterations`;
+  - `number_of_iterations(n)`: the most passes of refinement, in each of the ways to the sizes that
+    are tried; default `default_number_of_iterations`.  The paper's schedule ends after 25;
   - `visitor(v)`, see `Adaptation_visitor`; `callback(f)`: `bool f(double)` is told the progress
     from 0 to 1 and cancels by returning `false`;
   - `schedule()`, `aim()`, `symmetry()`, `feature_angle()`, `edge_is_frozen_map()`,

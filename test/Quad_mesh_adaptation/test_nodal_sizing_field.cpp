@@ -209,6 +209,10 @@ TEST(Limit_size_gradation, only_lowers_and_keeps_what_is_gentle_enough)
   for(Vertex v : b.mesh.vertices()) EXPECT_EQ(b.sizes[v], 1.);
   EXPECT_THROW(QMA::limit_size_gradation(b.mesh, b.sizes, -1.), std::invalid_argument);
   EXPECT_THROW(QMA::limit_size_gradation(b.mesh, b.sizes, std::nan("")), std::invalid_argument);
+  for(const double bad : { 0., -1., std::nan("") }) {
+    put(b.sizes, *vertices(b.mesh).begin(), bad);
+    EXPECT_THROW(QMA::limit_size_gradation(b.mesh, b.sizes, 0.2), std::invalid_argument) << bad;
+  }
 }
 
 TEST(Nodal_sizing_field, takes_arrays_that_are_no_manifold)

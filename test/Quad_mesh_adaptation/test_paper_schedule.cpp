@@ -152,6 +152,44 @@ TEST(Paper_schedule, BoundaryCoarsening)
     }
 }
 
+// What is kept of faces whose nodes have been moved is that of now.
+TEST(Paper_schedule, SizesAfterBoundaryCoarsening)
+{
+  state_fixture::Options o;
+  o.size = [](const Vec& p) { return 1.3 + 0.1 * p.x(); };
+  Adaptation_state s = make_state(shape_zoo::plate(12, 4), o);
+  for(Index f = 0; f < s.mesh.face_end(); ++f) s.size_ratio(f); // known from now on
+  ASSERT_GT(core::coarsen_boundary(s), 0u);
+  Adaptation_state fresh = s;
+  fresh.forget_sizes();
+  for(Index f = 0; f < s.mesh.face_end(); ++f)
+    if(s.mesh.is_face(f)) {
+      EXPECT_EQ(s.size_ratio(f), fresh.size_ratio(f)) << "face " << f;
+    }
+}
+
+// A closed border has no end to walk to.
+TEST(Paper_schedule, NodesAlongCurves)
+{
+  for(const shape_zoo::Shape& shape : { shape_zoo::annulus(), shape_zoo::plate(6, 3) }) {
+    Adaptation_state s = make_state(shape);
+    const auto all = core::border_nodes(s);
+    for(std::size_t c = 0; c < all.size(); ++c)
+      for(const core::Border_node& n : all[c])
+        for(const int reach : { 1, 2, 1000 }) {
+          std::set<Index> found;
+          const auto near = core::border_nodes_near(s, Index(c), n.node, reach);
+          for(const core::Border_node& k : near)
+            EXPECT_TRUE(found.insert(k.node).second) << "twice";
+          EXPECT_TRUE(found.count(n.node));
+          EXPECT_LE(found.size(), std::size_t(2 * reach));
+          if(reach == 1000) {
+            EXPECT_EQ(found.size(), all[c].size());
+          }
+        }
+  }
+}
+
 TEST(Paper_schedule, NothingToDo)
 {
   Adaptation_state s = plate(6, 6, [](const Vec&) { return 0.97; });

@@ -227,6 +227,21 @@ TEST(Reference_surface, Planes)
 }
 
 // A quad that is not flat is cut along the diagonal that folds least.
+// A walk ends somewhere, and in a plane, too, what it has not reached is found then.
+TEST(Reference_surface, LongWaysInAPlane)
+{
+  const Reference_surface strip = surface_of(shape_zoo::plate(1000, 1));
+  ASSERT_TRUE(strip.is_planar());
+  Random random(4);
+  for(int i = 0; i < 50; ++i) {
+    Index t = Index(random(0, 2000)), there = Index(random(0, 2000));
+    const Vec p = point_in(strip, there, random);
+    EXPECT_NEAR(core::distance(strip.nearest_on(p, t), p), 0, 1e-9);
+    ASSERT_TRUE(t >= 0 && t < 2000);
+    EXPECT_NEAR(core::distance(core::closest_on_triangle(p, strip.triangle(t)).point, p), 0, 1e-9);
+  }
+}
+
 TEST(Append_quad, FlatterDiagonal)
 {
   core::Triangle_soup soup;

@@ -62,6 +62,18 @@ TEST(Row_insertion, AsManyRowsAsNeeded)
   }
 }
 
+// What is taken back has not been done: no operation of it is told of.
+TEST(Row_insertion, RowsTakenBackAreNotCounted)
+{
+  Options o = of_size(1 / 1.03);
+  Adaptation_state s = make_state(shape_zoo::plate(2, 2), o);
+  s.energy.face = 1000; // no row is worth its faces
+  s.forget_energies();
+  EXPECT_EQ(core::insert_rows(s), 0u);
+  EXPECT_EQ(s.mesh.number_of_faces(), 4);
+  for(const auto& [operation, count] : s.operation_counts()) EXPECT_EQ(count, 0u) << operation;
+}
+
 TEST(Row_insertion, OnlyInTheDirectionThatIsTooWide)
 {
   // faces of 1 by 0.5 where edges of 0.75 on average are allowed, and a little less

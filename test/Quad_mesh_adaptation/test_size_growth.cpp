@@ -89,7 +89,7 @@ TEST(Size_growth, TheReportAdvisesOnThePapersPlate)
   EXPECT_NEAR(report.size_growth.largest_slope, 1, 0.02);
   EXPECT_GT(report.size_growth.steep_faces_share, 0.9);
   ASSERT_EQ(report.advice.size(), 1u);
-  EXPECT_NE(report.advice[0].find("Graded_sizing_field (--gradation)"), std::string::npos);
+  EXPECT_NE(report.advice[0].find("Graded_sizing_field"), std::string::npos);
   EXPECT_NE(report.advice[0].find("per unit of length"), std::string::npos);
 
   // the cure that the sentence names
@@ -108,7 +108,7 @@ TEST(Size_growth, MildSizesAndNumbersGetNoAdvice)
       mesh);
   EXPECT_TRUE(report.advice.empty());
   EXPECT_NEAR(report.size_growth.largest_slope, 0.2, 0.01);
-  report = QMA::clean_up(0.7, mesh);
+  report = QMA::clean_up(0.7, mesh, CGAL::parameters::number_of_iterations(std::size_t(-1)));
   EXPECT_TRUE(report.advice.empty());
   EXPECT_EQ(report.size_growth.largest_slope, 0);
 }

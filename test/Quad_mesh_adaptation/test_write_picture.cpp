@@ -162,6 +162,13 @@ TEST(Picture, SurvivesSizesThatAreNoSizes)
   EXPECT_EQ(count(svg, "nan"), 0u);
 }
 
+TEST(Picture, OfAnEmptyMesh)
+{
+  const std::string svg = picture_file_contents(Mesh(), 0.5, Mesh());
+  EXPECT_EQ(count(svg, "<svg "), 1u);
+  EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0u);
+}
+
 TEST(PictureView, SeesFlatMeshesAlongTheirNormal)
 {
   const auto view_of = [](const Mesh& mesh) {

@@ -66,7 +66,8 @@ struct Adaptation_report
   /// One sentence for a person, without a final full stop; empty when all went well.
   std::string message;
   /// The entity that was refused, as a number in the order of iteration over the mesh
-  /// (a vertex or a face, as `message` says); -1 when no single entity is to blame.
+  /// (a vertex or a face, as `message` says; of the reference surface where that is refused); -1
+  /// when no single entity is to blame.
   long entity = -1;
 
   /// Of the input, with its nodes on the reference if there is a separate one; filled unless the

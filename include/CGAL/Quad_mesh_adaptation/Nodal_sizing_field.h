@@ -39,7 +39,7 @@ public:
   ///        of the coordinates.
   /// \param np optional: `vertex_point_map`.
   /// \throws std::invalid_argument if a size or a coordinate is not finite, a size is not
-  ///         positive, or the mesh has no face.
+  ///         positive, or no face has an area.
   template <class PolygonMesh, class VertexSizeMap, class NP = parameters::Default_named_parameters>
   Nodal_sizing_field(const PolygonMesh& mesh, const VertexSizeMap& sizes,
                      const NP& np = parameters::default_values())

@@ -24,11 +24,10 @@ template <typename SizingField, typename QuadMesh,
 Adaptation_report clean_up(const SizingField& sizing, QuadMesh& mesh,
                            const NamedParameters& np = parameters::default_values())
 {
-  const int passes = int(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(10)));
+  const int passes = int(internal::decode_iterations(np, 10));
   return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np,
                                internal::Call_kind{ false, false, true },
-                               [&](internal::Adaptation_state& s, Adaptation_report&) {
+                               [&](internal::Adaptation_state& s) {
                                  internal::clean_up(s, internal::Improvement_options(), passes, 3);
                                });
 }

@@ -30,7 +30,7 @@ Adaptation_report coarsen(const SizingField& sizing, QuadMesh& mesh,
   const bool paper = internal::is_paper_schedule(np);
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ paper, false, false },
-      [&](internal::Adaptation_state& s, Adaptation_report&) {
+      [&](internal::Adaptation_state& s) {
         if(paper) {
           internal::coarsen_by_rings(s, 1.0, internal::Improvement_options());
         } else {

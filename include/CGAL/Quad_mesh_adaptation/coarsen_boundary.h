@@ -14,7 +14,7 @@ namespace Quad_mesh_adaptation {
 removes dual chords that end in boundary edges too short for their size, then smooths each coarsened
 curve: step 2 of section 3.3 of Anderson, Benzley and Owen (2009).  Corners and the curves'
 support are kept; a chord that crosses or touches itself, or whose removal would change the
-topology, stays.  Complexity: a scan of the boundary and the chords removed.
+topology, stays.  Complexity: a few scans of the half-edges and the chords removed.
 
 All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
 mesh is valid after the call, and unchanged where it is refused or cancelled.
@@ -27,7 +27,7 @@ Adaptation_report coarsen_boundary(const SizingField& sizing, QuadMesh& mesh,
 {
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ true, false, false },
-      [&](internal::Adaptation_state& s, Adaptation_report&) { internal::coarsen_boundary(s); });
+      [&](internal::Adaptation_state& s) { internal::coarsen_boundary(s); });
 }
 
 } // namespace Quad_mesh_adaptation

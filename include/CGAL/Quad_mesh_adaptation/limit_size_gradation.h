@@ -11,15 +11,38 @@
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <queue>
 #include <stdexcept>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
+
+namespace internal {
+
+// By vertex, in the order of `number`: those it shares a face with.
+template <class PolygonMesh, class Numbers>
+std::vector<std::vector<std::size_t>> vertices_of_common_faces(const PolygonMesh& mesh,
+                                                               const Numbers& number)
+{
+  std::vector<std::vector<std::size_t>> neighbours(number.size());
+  std::vector<std::size_t> polygon;
+  for(auto f : faces(mesh)) {
+    polygon.clear();
+    for(auto v : vertices_around_face(halfedge(f, mesh), mesh)) polygon.push_back(number.at(v));
+    for(std::size_t a : polygon)
+      for(std::size_t b : polygon)
+        if(a != b) neighbours[a].push_back(b);
+  }
+  return neighbours;
+}
+
+} // namespace internal
 
 /// \brief Lowers nodal sizes until they grow by at most `growth` per unit of length.
 ///
@@ -30,9 +53,11 @@ namespace Quad_mesh_adaptation {
 ///
 /// \param mesh a model of `FaceListGraph` and `HalfedgeListGraph`.
 /// \param sizes a read-write property map from vertices to positive sizes; changed in place.
+///        Infinity is a size, too: that of a vertex which asks for none itself.
 /// \param growth the largest slope, not negative; 0.2 to 0.3 suits quad meshes.
 /// \param np optional: `vertex_point_map`.
-/// \throws std::invalid_argument if `growth` is negative or not finite; `sizes` is then unchanged.
+/// \throws std::invalid_argument if `growth` is negative or not finite, a size is not positive (or
+///         no number) or a coordinate not finite; `sizes` is then unchanged.
 template <class PolygonMesh, class VertexSizeMap, class NP = parameters::Default_named_parameters>
 void limit_size_gradation(const PolygonMesh& mesh, VertexSizeMap sizes, double growth,
                           const NP& np = parameters::default_values())
@@ -51,20 +76,18 @@ void limit_size_gradation(const PolygonMesh& mesh, VertexSizeMap sizes, double g
     number.emplace(v, vertex_of.size());
     vertex_of.push_back(v);
   }
-  std::vector<std::vector<std::size_t>> neighbours(vertex_of.size()); // vertices sharing a face
-  for(auto f : faces(mesh)) {
-    std::vector<std::size_t> polygon;
-    for(Vertex v : vertices_around_face(halfedge(f, mesh), mesh)) polygon.push_back(number.at(v));
-    for(std::size_t a : polygon)
-      for(std::size_t b : polygon)
-        if(a != b) neighbours[a].push_back(b);
-  }
+  const auto neighbours = internal::vertices_of_common_faces(mesh, number);
 
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   std::vector<double> size(vertex_of.size());
-  for(std::size_t v = 0; v < size.size(); ++v)
-    queue.emplace(size[v] = CGAL::to_double(get(sizes, vertex_of[v])), v);
+  for(std::size_t v = 0; v < size.size(); ++v) {
+    size[v] = CGAL::to_double(get(sizes, vertex_of[v]));
+    if(!(size[v] > 0))
+      throw std::invalid_argument("limit_size_gradation: the size at vertex " + std::to_string(v) +
+                                  " is not positive");
+    queue.emplace(size[v], v);
+  }
   while(!queue.empty()) {
     const auto [h, v] = queue.top();
     queue.pop();
@@ -75,6 +98,9 @@ void limit_size_gradation(const PolygonMesh& mesh, VertexSizeMap sizes, double g
       const double length =
           std::hypot(CGAL::to_double(p.x() - q.x()), CGAL::to_double(p.y() - q.y()),
                      CGAL::to_double(p.z() - q.z()));
+      if(!std::isfinite(length))
+        throw std::invalid_argument("limit_size_gradation: vertex " + std::to_string(v) +
+                                    " or one beside it has a coordinate that is not finite");
       const double bound = h + growth * length;
       if(bound < size[w]) queue.emplace(size[w] = bound, w);
     }

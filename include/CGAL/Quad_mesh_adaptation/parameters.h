@@ -101,7 +101,8 @@ Named_function_parameters<Aim, aim_t, NP> aim(Aim a, const NP& np)
   return Named_function_parameters<Aim, aim_t, NP>(a, np);
 }
 
-/// Passes of refinement at most, unless `number_of_iterations()` says otherwise.
+/// Passes of refinement at most, in each way that is tried, unless `number_of_iterations()` says
+/// otherwise.
 constexpr std::size_t default_number_of_iterations = 40;
 
 /// Degrees, see `feature_angle()`.
@@ -257,7 +258,7 @@ Named_function_parameters<Concurrency, concurrency_t, NP> concurrency(Concurrenc
 ///
 /// A plane is given up if the images do not make a valid mesh, or if the sizes differ by more than
 /// 1e-6 on what comes out.  Where a part would have less than some 250 faces, fewer planes and none
-/// are tried as well, and planes are kept only if they cost no more than a tenth of the faces.
+/// are tried as well, and planes are kept only if they cost no more than six of a hundred faces.
 /// Not kept: planes that cut faces, rotations, and anything with `smooth_reference()`,
 /// `projector()`, `curve_projector()`, `max_distance()` or a `reference_surface()`, unless that is
 /// the same flat surface as the input.

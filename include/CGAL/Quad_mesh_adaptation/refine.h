@@ -34,7 +34,7 @@ Adaptation_report refine(const SizingField& sizing, QuadMesh& mesh,
   const std::size_t passes = internal::decode_iterations(np);
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ false, false, true },
-      [&](internal::Adaptation_state& s, Adaptation_report&) {
+      [&](internal::Adaptation_state& s) {
         internal::refine_by_octaves(s, internal::Marking_options(), passes);
       });
 }

@@ -14,7 +14,7 @@ namespace Quad_mesh_adaptation {
 /*!
 moves nodes, on the surface and along curves, to places where shapes and sizes of the faces around
 are best; topology stays.  No corner gets worse than the worst around it was (or than a scaled
-Jacobian of about 0.3).  `number_of_iterations(n)` is the number of sweeps; default 10.
+Jacobian of about 0.45).  `number_of_iterations(n)` is the number of sweeps; default 10.
 
 All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
 mesh is valid after the call, and unchanged where it is refused or cancelled.
@@ -24,10 +24,9 @@ template <typename SizingField, typename QuadMesh,
 Adaptation_report smooth(const SizingField& sizing, QuadMesh& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
-  const int sweeps = int(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(10)));
+  const int sweeps = int(internal::decode_iterations(np, 10));
   return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, internal::Call_kind(),
-                               [&](internal::Adaptation_state& s, Adaptation_report&) {
+                               [&](internal::Adaptation_state& s) {
                                  internal::Phase_scope phase(s, "smoothing");
                                  internal::smooth(s, sweeps);
                                });

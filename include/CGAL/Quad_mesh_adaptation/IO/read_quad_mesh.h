@@ -160,6 +160,7 @@ Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only,
       *fields = std::move(read);
     }
   } catch(const std::bad_alloc&) {
+    CGAL::clear(mesh);
     result = refuse(Refusal::unreadable_file, "there is not enough memory for it");
   } catch(const std::exception& error) {
     result = refuse(Refusal::unreadable_file, error.what());
@@ -182,7 +183,8 @@ Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only,
 /// \tparam QuadMesh a model of `MutableFaceGraph` with an internal `vertex_point` map whose points
 ///         can be made of three doubles
 /// \param file path of the file
-/// \param mesh is cleared and filled; untouched when the file is refused
+/// \param mesh is cleared and filled; untouched when the file is refused, cleared where the mesh
+///        type cannot hold the surface or there is not memory enough for it
 /// \return what was refused and where: `unreadable_file` (missing, truncated, damaged, vertex
 ///         number out of range), `empty_mesh`, `non_finite_coordinate`, `not_all_quads`,
 ///         `degenerate_face` (zero edge, zero area, vertex twice), `non_manifold` (edge of three

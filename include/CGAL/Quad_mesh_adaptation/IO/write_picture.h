@@ -112,6 +112,7 @@ inline internal::Panel_frame Picture::frame(const internal::Picture_view& view) 
       high_y = (std::max)(high_y, y);
     }
   internal::Panel_frame frame;
+  if(!(low_x <= high_x)) return frame; // all meshes are empty
   const double tiny = 1e-12 * (high_x - low_x + high_y - low_y);
   frame.scale = (std::min)(options_.panel_width / (std::max)(high_x - low_x, tiny),
                            options_.panel_height / (std::max)(high_y - low_y, tiny));

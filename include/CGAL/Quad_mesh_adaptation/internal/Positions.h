@@ -45,35 +45,49 @@ public:
 
   std::size_t of_face(Index f)
   {
-    if(!are_known_) find();
-    return get(position_, written_.face_of(f));
+    if(!are_faces_known_) find_faces();
+    return get(of_face_, written_.face_of(f));
+  }
+
+  std::size_t of_vertex(Index v)
+  {
+    if(!are_vertices_known_) find_vertices();
+    return get(of_vertex_, written_.vertex_of(v));
   }
 
 private:
-  void find()
+  void find_faces()
   {
-    position_ = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh_);
+    of_face_ = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh_);
     std::size_t position = 0;
-    for(auto f : faces(mesh_)) put(position_, f, position++);
-    are_known_ = true;
+    for(auto f : faces(mesh_)) put(of_face_, f, position++);
+    are_faces_known_ = true;
+  }
+
+  void find_vertices()
+  {
+    of_vertex_ = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh_);
+    std::size_t position = 0;
+    for(auto v : vertices(mesh_)) put(of_vertex_, v, position++);
+    are_vertices_known_ = true;
   }
 
   const Export& written_;
   const QuadMesh& mesh_;
   typename boost::property_map<QuadMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
-      position_;
-  bool are_known_ = false; // found only if asked for
+      of_face_;
+  typename boost::property_map<QuadMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type
+      of_vertex_;
+  bool are_faces_known_ = false, are_vertices_known_ = false; // found only if asked for
 };
 
 // The poor faces with the numbers of the caller's mesh instead of the state's.
 template <typename Export, typename QuadMesh>
-std::vector<Poor_face> numbered(std::vector<Poor_face> poor, const Export& written,
-                                const QuadMesh& mesh, Positions<Export, QuadMesh>& positions)
+std::vector<Poor_face> numbered(std::vector<Poor_face> poor, Positions<Export, QuadMesh>& positions)
 {
   for(Poor_face& p : poor) {
     p.face = positions.of_face(Index(p.face));
-    if(p.limit == Shape_limit::feature_angle)
-      p.vertex = std::size_t(position_of(written.vertex_of(Index(p.vertex)), mesh));
+    if(p.limit == Shape_limit::feature_angle) p.vertex = positions.of_vertex(Index(p.vertex));
   }
   std::sort(poor.begin(), poor.end(),
             [](const Poor_face& a, const Poor_face& b) { return a.face < b.face; });

@@ -21,7 +21,6 @@ public:
   static Index face(Index h) { return h >> 2; }
   static Index next(Index h) { return (h & ~3) | ((h + 1) & 3); }
   static Index prev(Index h) { return (h & ~3) | ((h + 3) & 3); }
-  static Index halfedge(Index f) { return f << 2; }
   Index origin(Index h) const { return origin_[h]; }
   Index target(Index h) const { return origin_[next(h)]; }
   Index opposite(Index h) const { return opposite_[h]; } // -1 on the border

@@ -226,6 +226,7 @@ private:
     const Index start = t;
     const Vec there = mesh_.walk(p, t, near_enough);
     if(t >= 0) return there;
+    if(planar_) return locate(p, t);
     t = find(p, patch(start), normal(start));
     return closest_on_triangle(p, triangle(t)).point;
   }

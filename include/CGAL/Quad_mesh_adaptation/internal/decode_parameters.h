@@ -215,12 +215,15 @@ struct is_named_parameters<const T> : is_named_parameters<T>
 {
 };
 
+// At most what an int holds.
 template <typename NamedParameters>
-std::size_t decode_iterations(const NamedParameters& np)
+std::size_t decode_iterations(const NamedParameters& np,
+                              std::size_t usual = default_number_of_iterations)
 {
-  return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations),
-      default_number_of_iterations);
+  constexpr std::size_t most = (std::numeric_limits<int>::max)();
+  return (std::min)(most,
+                    std::size_t(parameters::choose_parameter(
+                        parameters::get_parameter(np, internal_np::number_of_iterations), usual)));
 }
 
 template <typename NamedParameters>

@@ -20,7 +20,6 @@ struct Marking_options
 {
   double threshold = 1.05; // rho_0: edges longer than sqrt(2) rho_0 times their size want a split
   double bend = 0.25;      // cost of a 3-quad template, which makes a node of valence 3
-  double force_above = 0;  // if > 0: edges of faces above this ratio must be split
 };
 
 // Splits by edge, all even on every face, nearest to what `wish` asks for: a minimum-weight
@@ -37,7 +36,8 @@ public:
   {
   }
 
-  std::vector<char> operator()(std::vector<Index>* infeasible)
+  // Nothing if there is no solution.
+  std::vector<char> operator()()
   {
     mark_wishes();
     if(odd_faces_.empty()) return split_;
@@ -54,9 +54,7 @@ public:
         apply(join);
         return split_;
       }
-      if(!is_whole) continue;
-      if(infeasible) infeasible->insert(infeasible->end(), open.begin(), open.end());
-      return {};
+      if(is_whole) return {};
     }
   }
 
@@ -176,11 +174,11 @@ private:
 
 // `wish`, per half-edge of each edge's lower half: negative asks for a split, its magnitude is the
 // cost of doing otherwise; infinite fixes the edge.
-// Returns, per half-edge, whether its edge is split; faces without solution in `infeasible`.
+// Returns, per half-edge, whether its edge is split; nothing if there is no solution.
 inline std::vector<char> even_marks(const Quad_complex& m, const std::vector<double>& wish,
-                                    double bend, std::vector<Index>* infeasible = nullptr)
+                                    double bend)
 {
-  return Even_marks(m, wish, bend)(infeasible);
+  return Even_marks(m, wish, bend)();
 }
 
 // Length of edge h over its size at the middle times rho_0; infinite where it must not be split.

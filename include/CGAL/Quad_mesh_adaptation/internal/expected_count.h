@@ -57,7 +57,8 @@ inline double count_of_even_halvings(const Adaptation_state& s)
 // - a border rounds the rows along it up to whole faces, and a crease holds the pattern on both of
 //   its sides to the same edges;
 // - where the size grows, irregular vertices cost;
-// - where faces cannot be as large as asked, see Attainable_sizes, there are more of them.
+// - where faces cannot be as large as asked, see Attainable_sizes, there are more of them, but less
+//   than one for each that is forced: those sizes are no bound.
 // `scale`: what the sizes in the state are multiplied by.
 inline double expected_count(const Adaptation_state& s, double ideal_number_of_faces,
                              double mean_square_slope, double scale)

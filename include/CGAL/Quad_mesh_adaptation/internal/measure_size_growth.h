@@ -237,13 +237,12 @@ inline std::string advice_on(const Size_growth& g)
   if(!g.is_too_steep()) return std::string();
   std::ostringstream text;
   text.precision(3);
-  text
-      << "the size grows by up to " << g.largest_slope << " per unit of length (at " << g.where[0]
-      << ", " << g.where[1] << ", " << g.where[2] << "), and by more than the "
-      << Size_growth::followed_slope
-      << " that quads can follow on the part of the surface that holds "
-      << 100 * g.steep_faces_share << " % of the ideal number of faces; there many vertices are "
-      << "irregular and the efficiency is low; Graded_sizing_field (--gradation) bounds the growth";
+  text << "the size grows by up to " << g.largest_slope << " per unit of length (at " << g.where[0]
+       << ", " << g.where[1] << ", " << g.where[2] << "), and by more than the "
+       << Size_growth::followed_slope
+       << " that quads can follow on the part of the surface that holds "
+       << 100 * g.steep_faces_share << " % of the ideal number of faces; there many vertices are "
+       << "irregular and the efficiency is low; Graded_sizing_field bounds the growth";
   return text.str();
 }
 

@@ -45,7 +45,7 @@ inline Refine_classes classify_faces(const Adaptation_state& s, double threshold
     if(!s.mesh.is_face(f)) continue;
     const double r = s.size_ratio(f);
     // splitting what frozen edges hold would go on for ever
-    if(r > 1 + 1e-9 && !is_beyond_help(s, f)) (r > threshold ? c.high : c.low).push_back(f);
+    if(r > size_tolerance && !is_beyond_help(s, f)) (r > threshold ? c.high : c.low).push_back(f);
   }
   return c;
 }
@@ -64,7 +64,6 @@ inline void paper_schedule(Adaptation_state& s, std::size_t max_iterations)
   s.coverage.switch_off();
   Improvement_options clean;
   clean.max_valence = 6;
-  clean.close = clean.open = clean.swap = clean.rotate = true;
   s.energy.oversize = 0; // its clean-up improves quality only
   s.energy.face = 0;
 

@@ -49,8 +49,7 @@ inline bool is_too_fine(const Adaptation_state& s)
 
 // One conforming pass over the whole mesh: edges are halved where the size asks for it.
 // Returns the number of faces cut.
-inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
-                               std::vector<Index>* infeasible = nullptr)
+inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o)
 {
   s.check_cancelled();
   const bool is_local = !s.region.empty(); // then edges that leave it stay as they are, if possible
@@ -61,7 +60,7 @@ inline std::size_t refine_once(Adaptation_state& s, const Marking_options& o,
     split = even_marks(s.mesh, wish, o.bend);
     if(split.empty()) wish = split_wishes(s, o, false);
   }
-  if(split.empty()) split = even_marks(s.mesh, wish, o.bend, infeasible);
+  if(split.empty()) split = even_marks(s.mesh, wish, o.bend);
   wish = std::vector<double>(); // its memory is needed for the splits
   return split.empty() ? 0 : Split_templates(s, split)();
 }

@@ -38,6 +38,7 @@ public:
     const std::vector<char> split = marks();
     if(std::find(split.begin(), split.end(), 1) == split.end()) return 0;
     const Quad_complex before = s_.mesh;
+    const auto operations = s_.operations;
     const double energy = total_energy(s_);
     Split_templates(s_, split)();
     s_.disturb_all();
@@ -45,6 +46,7 @@ public:
     if(total_energy(s_) < energy)
       return std::size_t(s_.mesh.number_of_faces() - before.number_of_faces());
     s_.mesh = before;
+    s_.operations = operations;
     s_.forget_faces();
     s_.disturb_all();
     return 0;

@@ -235,9 +235,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     std::optional<Mirror_goal> mirror;
     if(kind.keeps_symmetry && decode_symmetry(np) && !bound.is_asked_for())
       mirror = Mirror_goal{ largest_allowed(aim), ideal, kind.is_foretold };
-    adapt_within_bound(
-        in, features, geometry, mirror, [&](Adaptation_state& part) { algorithm(part, report); },
-        bound, s);
+    adapt_within_bound(in, features, geometry, mirror, algorithm, bound, s);
     frozen.put_sizes_back();
     s.forget_work(); // its memory is needed to measure
     report.after = measured_state(s, reference, kept ? &*kept : nullptr);
@@ -262,7 +260,7 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
     Positions<decltype(write), QuadMesh> positions(write, mesh);
     report.faces_too_large = positions.of_faces(large);
     report.faces_too_far = positions.of_faces(far);
-    report.poor_faces = numbered(poor, write, mesh, positions);
+    report.poor_faces = numbered(poor, positions);
   } catch(const Refused& e) {
     report.status = e.reason == Refusal::invalid_size ? Adaptation_status::sizes_refused
                                                       : Adaptation_status::input_refused;

@@ -210,7 +210,7 @@ private:
 
 // Until no face is larger than wanted, or `max_rounds`: pressure that grows from round to round,
 // splits where that does not help.  Returns the number of faces left too large.
-inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options& o, int max_rounds)
+inline void enforce_sizes(Adaptation_state& s, const Improvement_options& o, int max_rounds)
 {
   Phase_scope phase(s, "size guarantee");
   const Smoothing_weights gentle = s.smoothing;
@@ -240,7 +240,6 @@ inline std::size_t enforce_sizes(Adaptation_state& s, const Improvement_options&
   s.smoothing.hinge = 2000;
   settle(s, o, 3, touched);
   s.smoothing = gentle;
-  return faces_too_large(s).size();
 }
 
 } // namespace internal
