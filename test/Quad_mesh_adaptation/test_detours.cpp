@@ -10,6 +10,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
+#include <CGAL/Quad_mesh_adaptation/internal/progressive_run.h>
 
 #include <gtest/gtest.h>
 
@@ -162,6 +163,39 @@ TEST(Local_detours, HaveTrialsInTheEnd)
 }
 
 // Where two creases meet at a flat angle a second face is to be had as well.
+// Of narrow rows between wider ones as many go as the sizes can do without, and no more.
+TEST(Rows_left, GoInTheEnd)
+{
+  Options o;
+  o.size = [](const Vec&) { return 1.02; };
+  // columns of 1, 0.4, 1, 0.4, ...
+  const shape_zoo::Shape plate = shape_zoo::grid(
+      "columns", 12, 6, [](Index i, Index j) { return Vec(Index(i / 2) * 1.4 + (i % 2), j, 0); });
+  Adaptation_state s = make_state(plate, o);
+  const state_checks::Snapshot before = state_checks::snapshot(s);
+  const double energy = core::energy_and_faults(s);
+  core::spare_rows_left(s, core::Improvement_options());
+  EXPECT_VALID_STATE(s, before, true);
+  EXPECT_LT(core::energy_and_faults(s), energy);
+  EXPECT_LE(s.mesh.number_of_faces(), 10 * 6); // of 12 columns 9 would do
+  EXPECT_TRUE(core::faces_too_large(s).empty());
+  // no row is left that could go
+  const Index faces = s.mesh.number_of_faces();
+  core::spare_rows_left(s, core::Improvement_options());
+  EXPECT_EQ(s.mesh.number_of_faces(), faces);
+}
+
+TEST(Rows_left, StayWhereTheyAreNeeded)
+{
+  Options o;
+  o.size = [](const Vec&) { return 1.02; };
+  Adaptation_state s = make_state(shape_zoo::plate(6, 6), o);
+  const auto before = s.mesh;
+  core::spare_rows_left(s, core::Improvement_options());
+  ASSERT_EQ(s.mesh.number_of_faces(), before.number_of_faces());
+  for(Index v = 0; v < before.vertex_end(); ++v) EXPECT_EQ(s.mesh.point(v), before.point(v));
+}
+
 TEST(Corner_splits, WhereCreasesMeet)
 {
   Options o;

@@ -64,7 +64,8 @@ public:
   // with walks in another order; of 25 ways that were tried out on 900 meshes, no others differ as
   // much.  For a mesh of more faces the first of them only, with detours of its own for the mesh to
   // start from: where that was not worth halving the first time, it mostly is then.  Where it was,
-  // or sizes grow too steeply for it, little is to be gained.
+  // or sizes grow too steeply for it, little is to be gained.  A mesh of several faces from one
+  // that was too fine is not halved still further first: it is coarsened in two steps.
   void operator()(bool was_halved)
   {
     constexpr Index enough_faces = 800, many = 40000;
@@ -82,6 +83,8 @@ public:
       s_.order = round;
       if(way % 2 == 0)
         start_coarser(!has_few);
+      else if(faces > several && fraction_below(s_, 0.75) > 0.5)
+        start_finer();
       else if(!is_anything_frozen(s_))
         make_finer(s_);
       run_();
@@ -91,7 +94,7 @@ public:
   }
 
 private:
-  static constexpr Index few = 2000;
+  static constexpr Index few = 2000, several = 150;
 
   // From a mesh for twice the sizes: it has too few faces, and none where they do no good.
   void start_coarser(bool with_detours)
@@ -102,6 +105,14 @@ private:
     run_();
     if(detours && s_.mesh.number_of_faces() <= few) (*detours)(false);
     s_.scale_sizes(0.5);
+  }
+
+  // From a mesh for half the sizes: a good one to coarsen, where the given one is not.
+  void start_finer()
+  {
+    s_.scale_sizes(0.5);
+    run_();
+    s_.scale_sizes(2);
   }
 
   // A coarser start leaves nodes beside the bends of curves; they do not always find back.

@@ -202,6 +202,22 @@ inline void fit_bends_left(Adaptation_state& s, const Improvement_options& clean
   }
 }
 
+// Where features stand close, rows that go around them come to light only when all else is done.
+inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clean)
+{
+  constexpr int most = 3;
+  for(int round = 0; round < most && may_spare_rows(s); ++round) {
+    const double before = energy_and_faults(s);
+    Curve_bends(s).hold_all();
+    Mesh_keeper rows(s);
+    if(spare_rows(s) == 0) return;
+    polish_about_bends(s, clean);
+    release_bends(s);
+    enforce_sizes_and_shapes(s, clean);
+    if(energy_and_faults(s) >= before) return rows.restore();
+  }
+}
+
 // Returns how often the sizes that were met first have been halved.
 inline int run_progressively(Adaptation_state& s, const Improvement_options& clean,
                              std::size_t max_iterations, const Schedule_ingredients& use,
@@ -221,6 +237,7 @@ inline int run_progressively(Adaptation_state& s, const Improvement_options& cle
   if(use.last_resorts) {
     enforce_sizes_and_shapes(s, clean);
     fit_bends_left(s, clean);
+    if(use.coarsening && s.region.empty()) spare_rows_left(s, clean);
   }
   release_bends(s);
   return octaves;
