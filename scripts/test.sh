@@ -5,8 +5,9 @@
 # test.sh              installs what is missing, builds the tests in build/release, runs them all
 # test.sh --headers    compiles every header on its own as well
 # test.sh --sanitize   tests of memory and topology with the address and undefined-behaviour sanitizers
-# test.sh --cgal6      public headers, examples and tests of the interfaces of CGAL with CGAL 6
-# test.sh --sanitize --all, --cgal6 --all   the same with the whole core of the tests, about twice as many
+# test.sh --cgal6      public headers, some examples and tests of the interfaces of CGAL with CGAL 6
+# test.sh --sanitize --all, --cgal6 --all   the same with the whole core of the tests, about twice as
+#                      many, and all examples
 # test.sh --long       more than 1000 random runs instead, an hour or two; QUAD_MESH_SEED repeats them
 
 set -euo pipefail
@@ -37,12 +38,15 @@ for argument in "$@"; do
       # but for some that take long there and do much that others do as well
       left_out="Adapt_region.RefinedOnSurfaceMesh|Distance.BoundIsMetOrTheFacesAreNamed"
       slow="AsNearAsPossible|SurfaceMeshCartesian|NodesAstray"
-      slow+="|Graded/(torus|saddle|sphere|irregular|valences|slab_of_genus_2|open_cylinder)"
+      slow+="|Graded/(torus|saddle|sphere|irregular|valences|slab_of_genus_.|open_cylinder|disk)"
+      slow+="|Adapt_quad_mesh.(Polyhedron|SurfaceMeshEpick|StraightBorders|FeatureAngle)"
+      slow+="|Threads.Single_phases|Smooth_reference.(TenTimesNearer|CylinderWithRims)"
       ;;
     --cgal6)
       folder=cgal6_tests
       label=cgal6
-      targets="public_header_checks examples"
+      targets="public_header_checks quad_adapt features_example curvature_sizing_example"
+      targets+=" region_example projector_example"
       options+=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1
         -DQUAD_MESH_ADAPTATION_TEST_OPTIONS=-O0 -DQUAD_MESH_ADAPTATION_HEADER_CHECKS=ON)
       slow="Adapt_region.RefinedOnSurfaceMesh|BoundIsMetOrTheFacesAreNamed|RoundsOnABracket"
@@ -65,6 +69,7 @@ done
 if [[ -n $label && $is_whole_core == yes ]]; then
   label=core
   slow=""
+  targets=${targets:+$targets examples}
 fi
 [[ -z $slow ]] || left_out+=${left_out:+|}$slow
 [[ -z $left_out ]] || selection+=(-E "$left_out")
