@@ -47,31 +47,19 @@ inline bool is_rehearsed(double expected_faces, std::size_t given_faces)
 }
 
 // The formula's number or, where few faces are expected, that of a trial run.
-template <typename Point, typename NamedParameters>
-double foretold_faces(const Input_mesh& in, const NamedParameters& np, Adaptation_state& s)
+template <typename NamedParameters>
+double foretold_faces(const NamedParameters& np, Prepared_run& run)
 {
-  const Aim aim = decode_aim(np);
-  s.size.scale_by(scale_of(aim));
-  s.workers.use_threads(decode_concurrency(np));
-  Distance_bound bound(s, decode_max_distance(np));
-  const std::optional<Triangle_soup> reference = decode_reference(np);
-  const Feature_options features = decode_features(np);
-  Geometry_options geometry = decode_geometry<Point>(np);
-  geometry.reference = reference ? &*reference : nullptr;
-  build_state(in, features, geometry, s);
-  const double slope = mean_square_slope(s, in);
-  bound.start();
-  const Frozen_edges frozen(s, in);
-  const double ideal = ideal_faces(s, in, reference);
-  const double expected = expected_faces(s, ideal, slope, scale_of(aim));
-  if(!is_rehearsed(expected, in.quads.size())) return expected;
-  std::optional<Mirror_goal> mirror;
-  if(decode_symmetry(np) && !bound.is_asked_for())
-    mirror = Mirror_goal{ largest_allowed(aim), ideal, true };
+  Adaptation_state& s = run.s;
+  const double slope = mean_square_slope(s, run.in);
+  run.bound->start();
+  const Frozen_edges frozen(s, run.in);
+  const double ideal = ideal_faces(s, run.in, run.reference);
+  const double expected = expected_faces(s, ideal, slope, scale_of(run.aim));
+  if(!is_rehearsed(expected, run.in.quads.size())) return expected;
   adapt_within_bound(
-      in, features, geometry, mirror,
-      [n = decode_iterations(np)](Adaptation_state& part) { run_default_schedule(part, n); }, bound,
-      s);
+      run, run.mirror_goal(np, ideal, true),
+      [n = decode_iterations(np)](Adaptation_state& part) { run_default_schedule(part, n); });
   return double(s.mesh.number_of_faces());
 }
 
@@ -90,15 +78,16 @@ double expected_number_of_faces(const FaceRange& faces, bool is_region, const Si
   using Vpm = std::decay_t<decltype(vpm)>;
   using Point = typename boost::property_traits<Vpm>::value_type;
   try {
-    Adaptation_state s;
-    s.size = make_sampler<Point>(sizing);
-    Input_mesh in;
+    Prepared_run run;
+    run.s.size = make_sampler<Point>(sizing);
+    run.decode_limits(np);
     Mesh_descriptors<QuadMesh> descriptors;
     Mesh_import<QuadMesh, Vpm, std::decay_t<decltype(ecm)>, std::decay_t<decltype(vcm)>,
                 std::decay_t<decltype(efm)>, std::decay_t<decltype(fpm)>>
         import(mesh, vpm, ecm, vcm, efm, fpm);
-    import(faces, is_region, in, descriptors);
-    return foretold_faces<Point>(in, np, s);
+    import(faces, is_region, run.in, descriptors);
+    run.build<Point>(np);
+    return foretold_faces(np, run);
   } catch(const Refused& e) {
     throw std::invalid_argument("expected_number_of_faces: " + e.message);
   } catch(const Bad_projection& e) {

@@ -5,20 +5,17 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_RUN_ON_MESH_H
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Frozen_edges.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Positions.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Prepared_run.h>
 #include <CGAL/Quad_mesh_adaptation/internal/advise_on_reference.h>
 #include <CGAL/Quad_mesh_adaptation/internal/advise_on_result.h>
-#include <CGAL/Quad_mesh_adaptation/internal/check_feature_angle.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
-#include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_export.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
-#include <CGAL/Quad_mesh_adaptation/internal/same_flat_surface.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <cstddef>
@@ -110,65 +107,6 @@ void put_patches(const Adaptation_state& s, const Export& written,
     if(s.mesh.is_face(f)) put(fpm, written.face_of(f), patches[s.given_patch[s.mesh.patch(f)]]);
 }
 
-// Faces adapted to be no larger than asked have size ratios about 0.955 on average; against sizes
-// larger by this factor they come to lie around one.
-constexpr double nearest_scale = 1.045;
-
-inline double scale_of(Aim aim) { return aim == Aim::nearest ? nearest_scale : 1.; }
-
-template <typename NamedParameters>
-Feature_options decode_features(const NamedParameters& np)
-{
-  Feature_options features;
-  features.feature_angle = parameters::choose_parameter(
-      parameters::get_parameter(np, feature_angle_tag), features.feature_angle);
-  const std::string complaint = check_feature_angle(features.feature_angle);
-  if(!complaint.empty()) throw Refused{ Refusal::invalid_parameter, complaint };
-  return features;
-}
-
-// A separate reference that is the same flat surface as the input is only measured against.
-inline void leave_idle_reference(const Input_mesh& in, const Feature_options& features,
-                                 Geometry_options& geometry, Adaptation_state& s)
-{
-  Geometry_options own = geometry;
-  own.reference = nullptr;
-  if(!own.is_flat_input() || !s.surface.is_planar()) return;
-  Adaptation_state flat;
-  observe_part(s, 1, flat);
-  build_state(in, features, own, flat);
-  if(!is_same_flat_surface(s, flat)) return;
-  geometry = own;
-  s = std::move(flat);
-}
-
-// Runs `algorithm(state)` on what was built of the input; where that may be and this is symmetric,
-// on a part of it that is mirrored then.
-template <typename Algorithm>
-void adapt_state(const Input_mesh& in, const Feature_options& features, Geometry_options geometry,
-                 const std::optional<Mirror_goal>& mirror, const Algorithm& algorithm,
-                 Adaptation_state& s)
-{
-  if(mirror && geometry.reference) leave_idle_reference(in, features, geometry, s);
-  const auto build = [&](const Input_mesh& input, Adaptation_state& state) {
-    build_state(input, features, geometry, state);
-  };
-  if(!mirror || !geometry.is_flat_input() || !adapt_mirrored(in, *mirror, build, algorithm, s))
-    algorithm(s);
-}
-
-// The same, and what keeps the result within its bound.
-template <typename Algorithm>
-void adapt_within_bound(const Input_mesh& in, const Feature_options& features,
-                        const Geometry_options& geometry, const std::optional<Mirror_goal>& mirror,
-                        const Algorithm& algorithm, Distance_bound& bound, Adaptation_state& s)
-{
-  adapt_state(in, features, geometry, mirror, algorithm, s);
-  keep_within_distance(s);
-  bound.lift();
-  keep_sizes_within_distance(s);
-}
-
 // What the public functions differ in but for their algorithms.
 struct Call_kind
 {
@@ -177,100 +115,170 @@ struct Call_kind
   bool keeps_symmetry = false; // may run on a part of a symmetric input that is mirrored then
 };
 
-// What every public function does around its algorithm: import and check, build the state, run
-// `algorithm(state)`, measure, and only then write back.
+// What every public function does around its algorithm: import and check, build the state, run the
+// algorithm, measure, and only then write back.
+template <typename QuadMesh, typename NamedParameters>
+class Run_on_mesh
+{
+public:
+  Run_on_mesh(QuadMesh& mesh, const NamedParameters& np, const Call_kind& kind,
+              Adaptation_report& report, Phase_clock& clock)
+      : mesh_(mesh), np_(np), kind_(kind), report_(report), clock_(clock),
+        vpm_(Decoded::vertex_point_map(mesh, np)), ecm_(Decoded::edge_map(np)),
+        fpm_(Decoded::patch_map(np)),
+        import_(mesh, vpm_, ecm_, Decoded::vertex_map(np), Decoded::frozen_map(np), fpm_)
+  {
+  }
+
+  template <typename FaceRange, typename SizingField, typename Algorithm>
+  void operator()(const FaceRange& faces, bool is_region, const SizingField& sizing,
+                  const Algorithm& algorithm)
+  {
+    prepare(faces, is_region, sizing);
+    measure_input();
+    work(algorithm);
+    measure_result();
+    judge();
+    write_back();
+  }
+
+  // Names the vertex of the caller's mesh where the core has refused one.
+  void put_refusal(const Refused& e)
+  {
+    report_.status = e.reason == Refusal::invalid_size ? Adaptation_status::sizes_refused
+                                                       : Adaptation_status::input_refused;
+    report_.reason = e.reason;
+    report_.message = e.message;
+    report_.entity = e.entity;
+    if(e.input_vertex < 0) return;
+    report_.entity = position_of(descriptors_.vertices[e.input_vertex], mesh_);
+    report_.message = "vertex " + std::to_string(report_.entity) + " " + e.message;
+  }
+
+private:
+  using Decoded = Decoded_parameters<QuadMesh, NamedParameters>;
+  using Point = typename Decoded::Point;
+  using Edge_map = decltype(Decoded::edge_map(std::declval<const NamedParameters&>()));
+  using Vertex_map = decltype(Decoded::vertex_map(std::declval<const NamedParameters&>()));
+  using Frozen_map = decltype(Decoded::frozen_map(std::declval<const NamedParameters&>()));
+  using Patch_map = decltype(Decoded::patch_map(std::declval<const NamedParameters&>()));
+  using Import =
+      Mesh_import<QuadMesh, typename Decoded::Vpm, Edge_map, Vertex_map, Frozen_map, Patch_map>;
+
+  template <typename FaceRange, typename SizingField>
+  void prepare(const FaceRange& faces, bool is_region, const SizingField& sizing)
+  {
+    s_.size = make_sampler<Point>(sizing);
+    if(kind_.is_paper) s_.size.sampling = Size_sampling::centre;
+    run_.decode_limits(np_);
+    import_(faces, is_region, run_.in, descriptors_);
+    observe(np_, s_, clock_);
+    run_.template build<Point>(np_);
+    count_features(s_, report_);
+    advise_on_tangles(s_, report_);
+    if(run_.reference) advise_on_reference(run_.in, s_, report_);
+  }
+
+  // Sizes are bounded by what was asked for, and what must not change, from then on.
+  void measure_input()
+  {
+    kept_.emplace(run_.in);
+    report_.before = measured_state(s_, run_.reference, &*kept_);
+    const bool is_small_change = fits_mostly(report_.before.strict_size_ratio);
+    if(!is_small_change) kept_.reset();
+    if(!is_small_change || !kind_.is_foretold || run_.bound->is_asked_for()) s_.forget_ratios();
+    advise_on_sizes(run_.in, s_, is_small_change, report_);
+    run_.bound->start();
+    frozen_.emplace(s_, run_.in);
+    if(frozen_->is_any()) report_.advice.push_back(frozen_->advice());
+    ideal_ = report_.before.ideal_number_of_faces;
+    refuse_too_many(ideal_);
+    if(!run_.bound->is_asked_for() && !frozen_->is_any()) return;
+    ideal_ = measured_state(s_, run_.reference).ideal_number_of_faces;
+    refuse_too_many(ideal_, "the distance allowed asks");
+  }
+
+  template <typename Algorithm>
+  void work(const Algorithm& algorithm)
+  {
+    if(kind_.is_foretold)
+      report_.expected_number_of_faces =
+          expected_faces(s_, ideal_, report_.size_growth.mean_square_slope, scale_of(run_.aim));
+    std::optional<Mirror_goal> mirror;
+    if(kind_.keeps_symmetry) mirror = run_.mirror_goal(np_, ideal_, kind_.is_foretold);
+    adapt_within_bound(run_, mirror, algorithm);
+    frozen_->put_sizes_back();
+    s_.forget_work(); // its memory is needed to measure
+  }
+
+  void measure_result()
+  {
+    report_.after = measured_state(s_, run_.reference, kept_ ? &*kept_ : nullptr);
+    kept_.reset();
+    s_.report_progress(1);
+    report_.iterations = s_.iterations;
+    for(const auto& o : s_.operation_counts()) report_.operations.push_back({ o.first, o.second });
+  }
+
+  void judge()
+  {
+    if(s_.size.scale() != 1) {
+      s_.size.scale_by(1);
+      s_.forget_sizes();
+    }
+    large_ = faces_too_large(s_, largest_allowed(run_.aim));
+    judge_sizes(report_, kind_.is_paper, run_.aim, large_.size());
+    advise_on_features(s_, report_);
+    far_ = run_.bound->faces_too_far();
+    judge_distances(report_, run_.bound->allowed(), far_.size());
+    poor_ = poor_faces_of(s_, report_.after);
+    s_.forget_surface(); // its memory is needed to write
+  }
+
+  void write_back()
+  {
+    Mesh_export<QuadMesh, typename Decoded::Vpm, Edge_map> write(mesh_, vpm_, ecm_, run_.in,
+                                                                 descriptors_, s_);
+    write(); // from here on nothing of the caller's is called any more but his maps
+    put_patches(s_, write, import_.patches(), fpm_);
+    Positions<decltype(write), QuadMesh> positions(write, mesh_);
+    report_.faces_too_large = positions.of_faces(large_);
+    report_.faces_too_far = positions.of_faces(far_);
+    report_.poor_faces = numbered(poor_, positions);
+  }
+
+  QuadMesh& mesh_;
+  const NamedParameters& np_;
+  const Call_kind kind_;
+  Adaptation_report& report_;
+  Phase_clock& clock_;
+  typename Decoded::Vpm vpm_;
+  Edge_map ecm_;
+  Patch_map fpm_;
+  Import import_;
+  Mesh_descriptors<QuadMesh> descriptors_;
+  Prepared_run run_;
+  Adaptation_state& s_ = run_.s;
+  std::optional<Figures_of_faces> kept_; // of the input, while it may be left as it is mostly
+  std::optional<Frozen_edges> frozen_;
+  double ideal_ = 0; // number of faces
+  std::vector<Index> large_, far_;
+  std::vector<Poor_face> poor_;
+};
+
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters,
           typename Algorithm>
 Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const SizingField& sizing,
                               QuadMesh& mesh, const NamedParameters& np, const Call_kind& kind,
                               const Algorithm& algorithm)
 {
-  using Decoded = Decoded_parameters<QuadMesh, NamedParameters>;
-  const Aim aim = decode_aim(np);
   Adaptation_report report;
   Phase_clock clock;
-  auto vpm = Decoded::vertex_point_map(mesh, np);
-  auto ecm = Decoded::edge_map(np);
-  auto vcm = Decoded::vertex_map(np);
-  auto efm = Decoded::frozen_map(np);
-  auto fpm = Decoded::patch_map(np);
-  Mesh_descriptors<QuadMesh> descriptors;
+  Run_on_mesh<QuadMesh, NamedParameters> run(mesh, np, kind, report, clock);
   try {
-    Adaptation_state s;
-    s.size = make_sampler<typename Decoded::Point>(sizing);
-    if(kind.is_paper) s.size.sampling = Size_sampling::centre;
-    s.size.scale_by(scale_of(aim));
-    s.workers.use_threads(decode_concurrency(np));
-    Distance_bound bound(s, decode_max_distance(np));
-    Input_mesh in;
-    Mesh_import<QuadMesh, decltype(vpm), decltype(ecm), decltype(vcm), decltype(efm), decltype(fpm)>
-        import(mesh, vpm, ecm, vcm, efm, fpm);
-    import(faces, is_region, in, descriptors);
-    const std::optional<Triangle_soup> reference = decode_reference(np);
-    const Feature_options features = decode_features(np);
-    observe(np, s, clock);
-    Geometry_options geometry = decode_geometry<typename Decoded::Point>(np);
-    geometry.reference = reference ? &*reference : nullptr;
-    build_state(in, features, geometry, s);
-    count_features(s, report);
-    advise_on_tangles(s, report);
-    if(reference) advise_on_reference(in, s, report);
-    std::optional<Figures_of_faces> kept(in);
-    report.before = measured_state(s, reference, &*kept);
-    const bool is_small_change = fits_mostly(report.before.strict_size_ratio);
-    if(!is_small_change) kept.reset();
-    if(!is_small_change || !kind.is_foretold || bound.is_asked_for()) s.forget_ratios();
-    advise_on_sizes(in, s, is_small_change, report);
-    bound.start();
-    Frozen_edges frozen(s, in);
-    if(frozen.is_any()) report.advice.push_back(frozen.advice());
-    const double ideal = bound.is_asked_for() || frozen.is_any()
-                             ? measured_state(s, reference).ideal_number_of_faces
-                             : report.before.ideal_number_of_faces;
-    refuse_too_many(report.before.ideal_number_of_faces);
-    refuse_too_many(ideal, "the distance allowed asks");
-    if(kind.is_foretold)
-      report.expected_number_of_faces =
-          expected_faces(s, ideal, report.size_growth.mean_square_slope, scale_of(aim));
-    std::optional<Mirror_goal> mirror;
-    if(kind.keeps_symmetry && decode_symmetry(np) && !bound.is_asked_for())
-      mirror = Mirror_goal{ largest_allowed(aim), ideal, kind.is_foretold };
-    adapt_within_bound(in, features, geometry, mirror, algorithm, bound, s);
-    frozen.put_sizes_back();
-    s.forget_work(); // its memory is needed to measure
-    report.after = measured_state(s, reference, kept ? &*kept : nullptr);
-    kept.reset();
-    s.report_progress(1);
-    report.iterations = s.iterations;
-    for(const auto& o : s.operation_counts()) report.operations.push_back({ o.first, o.second });
-    if(s.size.scale() != 1) {
-      s.size.scale_by(1);
-      s.forget_sizes();
-    }
-    const std::vector<Index> large = faces_too_large(s, largest_allowed(aim));
-    judge_sizes(report, kind.is_paper, aim, large.size());
-    advise_on_features(s, report);
-    const std::vector<Index> far = bound.faces_too_far();
-    judge_distances(report, bound.allowed(), far.size());
-    const std::vector<Poor_face> poor = poor_faces_of(s, report.after);
-    s.forget_surface(); // its memory is needed to write
-    Mesh_export<QuadMesh, decltype(vpm), decltype(ecm)> write(mesh, vpm, ecm, in, descriptors, s);
-    write(); // from here on nothing of the caller's is called any more but his maps
-    put_patches(s, write, import.patches(), fpm);
-    Positions<decltype(write), QuadMesh> positions(write, mesh);
-    report.faces_too_large = positions.of_faces(large);
-    report.faces_too_far = positions.of_faces(far);
-    report.poor_faces = numbered(poor, positions);
+    run(faces, is_region, sizing, algorithm);
   } catch(const Refused& e) {
-    report.status = e.reason == Refusal::invalid_size ? Adaptation_status::sizes_refused
-                                                      : Adaptation_status::input_refused;
-    report.reason = e.reason;
-    report.message = e.message;
-    report.entity = e.entity;
-    if(e.input_vertex >= 0) {
-      report.entity = position_of(descriptors.vertices[e.input_vertex], mesh);
-      report.message = "vertex " + std::to_string(report.entity) + " " + e.message;
-    }
+    run.put_refusal(e);
   } catch(const Bad_projection& e) {
     report.status = Adaptation_status::input_refused;
     report.reason = Refusal::invalid_parameter;
