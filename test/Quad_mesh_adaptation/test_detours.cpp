@@ -56,7 +56,8 @@ TEST(Local_detours, MendShapesAndKeepSizes)
     const double faults = core::shape_faults(s), energy = core::total_energy(s);
     const std::size_t too_large = core::faces_too_large(s).size();
     core::Local_detours local(s, core::Improvement_options());
-    local();
+    core::Places_in_vain in_vain;
+    local(in_vain);
     EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
     EXPECT_LE(core::faces_too_large(s).size(), too_large);
     EXPECT_LE(core::total_energy(s) + 80 * core::shape_faults(s), energy + 80 * faults + 1e-6);
@@ -120,7 +121,8 @@ TEST(Local_detours, LeaveGoodMeshesAlone)
   Adaptation_state s = make_state(shape_zoo::plate(6, 6));
   const core::Quad_complex before = s.mesh;
   core::Local_detours local(s, core::Improvement_options());
-  local();
+  core::Places_in_vain in_vain;
+  local(in_vain);
   ASSERT_EQ(s.mesh.face_end(), before.face_end());
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) EXPECT_EQ(s.mesh.point(v), before.point(v));
 }
@@ -134,7 +136,8 @@ TEST(Local_detours, MendPoorFacesOfLargeMeshes)
   const core::Quad_complex before = s.mesh;
   ASSERT_LT(core::least_scaled_jacobian(s), 0.1);
   core::Local_detours local(s, core::Improvement_options());
-  local();
+  core::Places_in_vain in_vain;
+  local(in_vain);
   EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
   EXPECT_TRUE(core::faces_too_large(s).empty());
   EXPECT_TRUE(core::poor_shapes(s, QMA::Poor_face::floor).empty());

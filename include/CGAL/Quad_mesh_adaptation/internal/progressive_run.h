@@ -206,10 +206,10 @@ inline void fit_bends_left(Adaptation_state& s, const Improvement_options& clean
 {
   constexpr int most = 5;
   std::size_t left = (std::numeric_limits<std::size_t>::max)();
-  for(int round = 0; round < most; ++round) {
+  for(int round = 0; round < most && !are_sizes_out_of_reach(s); ++round) {
     const std::size_t moved = Curve_bends(s).fit();
     if(moved > 0) enforce_sizes_and_shapes(s, clean, in_vain);
-    if(moved == 0 || moved >= left || are_sizes_out_of_reach(s)) return;
+    if(moved == 0 || moved >= left) return;
     left = moved;
   }
 }
