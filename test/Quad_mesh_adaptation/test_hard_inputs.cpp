@@ -63,14 +63,16 @@ TEST(Hard_inputs, RefinementEndsAfterPassesInVain)
 
 TEST(Hard_inputs, RefinementThatPaysGoesOn)
 {
-  Adaptation_state s = plate_state(0.02);
-  s.scale_sizes(32);
+  Options o;
+  o.size = [](const Vec&) { return 0.01; };
+  Adaptation_state s = make_state(shape_zoo::plate(2, 2), o);
   core::Refinement_progress progress(s);
-  for(int pass = 0; pass < 12; ++pass) {
-    EXPECT_FALSE(progress.is_stuck()) << pass;
-    if(core::faces_to_press(s).empty()) s.scale_sizes(0.5); // and there is more to do
-    if(s.mesh.number_of_faces() < 20000) core::cut_all_faces(s);
+  int passes = 0;
+  for(; !core::faces_to_press(s).empty(); ++passes) {
+    ASSERT_FALSE(progress.is_stuck()) << passes;
+    core::cut_all_faces(s);
   }
+  EXPECT_EQ(passes, 7);
 }
 
 TEST(Hard_inputs, MeshOfTheLastPassThatPaidIsBack)
