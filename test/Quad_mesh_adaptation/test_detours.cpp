@@ -57,7 +57,8 @@ TEST(Local_detours, MendShapesAndKeepSizes)
     const double faults = core::shape_faults(s), energy = core::total_energy(s);
     const std::size_t too_large = core::faces_too_large(s).size();
     core::Local_detours local(s, core::Improvement_options());
-    local();
+    core::Places_in_vain in_vain;
+    local(in_vain);
     EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
     EXPECT_LE(core::faces_too_large(s).size(), too_large);
     EXPECT_LE(core::total_energy(s) + 80 * core::shape_faults(s), energy + 80 * faults + 1e-6);
@@ -121,7 +122,8 @@ TEST(Local_detours, LeaveGoodMeshesAlone)
   Adaptation_state s = make_state(shape_zoo::plate(6, 6));
   const core::Quad_complex before = s.mesh;
   core::Local_detours local(s, core::Improvement_options());
-  local();
+  core::Places_in_vain in_vain;
+  local(in_vain);
   ASSERT_EQ(s.mesh.face_end(), before.face_end());
   for(Index v = 0; v < s.mesh.vertex_end(); ++v) EXPECT_EQ(s.mesh.point(v), before.point(v));
 }
@@ -135,7 +137,8 @@ TEST(Local_detours, MendPoorFacesOfLargeMeshes)
   const core::Quad_complex before = s.mesh;
   ASSERT_LT(core::least_scaled_jacobian(s), 0.1);
   core::Local_detours local(s, core::Improvement_options());
-  local();
+  core::Places_in_vain in_vain;
+  local(in_vain);
   EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
   EXPECT_TRUE(core::faces_too_large(s).empty());
   EXPECT_TRUE(core::poor_shapes(s, QMA::Poor_face::floor).empty());
@@ -174,14 +177,15 @@ TEST(Rows_left, GoInTheEnd)
   Adaptation_state s = make_state(plate, o);
   const state_checks::Snapshot before = state_checks::snapshot(s);
   const double energy = core::energy_and_faults(s);
-  core::spare_rows_left(s, core::Improvement_options());
+  core::Last_resorts_in_vain in_vain;
+  core::spare_rows_left(s, core::Improvement_options(), in_vain);
   EXPECT_VALID_STATE(s, before, true);
   EXPECT_LT(core::energy_and_faults(s), energy);
   EXPECT_LE(s.mesh.number_of_faces(), 10 * 6); // of 12 columns 9 would do
   EXPECT_TRUE(core::faces_too_large(s).empty());
   // no row is left that could go
   const Index faces = s.mesh.number_of_faces();
-  core::spare_rows_left(s, core::Improvement_options());
+  core::spare_rows_left(s, core::Improvement_options(), in_vain);
   EXPECT_EQ(s.mesh.number_of_faces(), faces);
 }
 
@@ -191,7 +195,8 @@ TEST(Rows_left, StayWhereTheyAreNeeded)
   o.size = [](const Vec&) { return 1.02; };
   Adaptation_state s = make_state(shape_zoo::plate(6, 6), o);
   const auto before = s.mesh;
-  core::spare_rows_left(s, core::Improvement_options());
+  core::Last_resorts_in_vain in_vain;
+  core::spare_rows_left(s, core::Improvement_options(), in_vain);
   ASSERT_EQ(s.mesh.number_of_faces(), before.number_of_faces());
   for(Index v = 0; v < before.vertex_end(); ++v) EXPECT_EQ(s.mesh.point(v), before.point(v));
 }

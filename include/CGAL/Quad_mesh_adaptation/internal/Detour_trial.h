@@ -138,14 +138,19 @@ private:
     s_.smoothing = smoothing;
   }
 
+  // Where many faces are poor only some of them, or that would be most of the work of a trial.
   void place_about(std::vector<char> nodes)
   {
+    int left = most_placings;
     nodes.resize(s_.mesh.vertex_end(), 1);
     Angle_placing place(s_);
-    for(Index f = 0; f < s_.mesh.face_end(); ++f) {
+    for(Index f = 0; f < s_.mesh.face_end() && left > 0; ++f) {
       if(!s_.mesh.is_face(f)) continue;
       const Quad q = s_.mesh.quad(f);
-      if(std::any_of(q.begin(), q.end(), [&](Index v) { return nodes[v]; })) place(f);
+      const bool is_near = std::any_of(q.begin(), q.end(), [&](Index v) { return nodes[v]; });
+      if(!is_near || !is_unexcused(s_, f)) continue;
+      place(f);
+      --left;
     }
   }
 
@@ -171,6 +176,7 @@ private:
     return faces;
   }
 
+  static constexpr int most_placings = 40;
   static constexpr double hair = 0.005; // moves measure shape in another way
 
   Adaptation_state& s_;

@@ -71,6 +71,7 @@ public:
     constexpr Index enough_faces = 800, many = 40000;
     constexpr int least = 2, most = 6;
     const Index faces = s_.mesh.number_of_faces();
+    if(are_sizes_out_of_reach(s_)) return; // by any way
     const bool has_few = faces <= few;
     if(faces > many || (!has_few && (was_halved || !asked_.is_gentle_doubled()))) return;
     const int ways = has_few ? std::clamp(int(enough_faces / faces), least, most) : 1;

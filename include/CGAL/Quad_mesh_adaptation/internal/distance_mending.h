@@ -92,7 +92,8 @@ inline void mend_distances(Adaptation_state& s, const Improvement_options& o)
   s.smoothing.keep_within_size = true;
   const bool within = split_faces_too_far(s, careful);
   Mesh_keeper split(s);
-  mend_shapes(s, o, 8);
+  Places_in_vain in_vain;
+  mend_shapes(s, o, 8, in_vain);
   if(!split_faces_too_far(s, careful) && within) split.restore();
   s.smoothing.keep_within_size = false;
 }

@@ -35,19 +35,26 @@ public:
   {
   }
 
-  void operator()()
+  // What `in_vain` remembers is not tried again.
+  void operator()(Places_in_vain& in_vain)
   {
     mend_unexcused({ &near_, &farther_ });
     trials_left_ = affordable_trials(most_work, most_trials);
-    std::vector<Index> poor = poor_faces_by_shape();
-    for(std::size_t i = 0; i < poor.size() && trials_left_ > 0;) {
+    const std::vector<char> about = in_vain.changed_nodes(s_);
+    std::vector<Index> poor = poor_faces_by_shape(about);
+    std::size_t i = 0;
+    while(i < poor.size() && trials_left_ > 0) {
       if(!is_mended(poor[i], usual_)) {
         ++i;
         continue;
       }
-      poor = poor_faces_by_shape(); // numbers have changed
+      poor = poor_faces_by_shape(about); // numbers have changed
       i = 0;
     }
+    poor.resize(i);
+    for(Index f : faces_to_mend(s_, shape_floor))
+      if(!is_about(s_, f, about)) poor.push_back(f);
+    in_vain.remember(s_, poor);
   }
 
   // For a mesh that is to stay: on the way to it, all trials may have gone to meshes that did not.
@@ -190,11 +197,12 @@ private:
     return (std::min)(most, std::size_t(work / (s_.mesh.number_of_faces() + 100)));
   }
 
-  // The worst first.
-  std::vector<Index> poor_faces_by_shape() const
+  // Those about the nodes given, or all; the worst first.
+  std::vector<Index> poor_faces_by_shape(const std::vector<char>& about) const
   {
     std::vector<std::pair<double, Index>> list;
-    for(Index f : faces_to_mend(s_, shape_floor)) list.push_back({ -shape_fault(s_, f), f });
+    for(Index f : faces_to_mend(s_, shape_floor))
+      if(is_about(s_, f, about)) list.push_back({ -shape_fault(s_, f), f });
     std::sort(list.begin(), list.end());
     std::vector<Index> faces;
     for(const auto& x : list) faces.push_back(x.second);
@@ -265,18 +273,25 @@ private:
   std::size_t trials_left_ = 0;
 };
 
+// What the last resorts have tried in vain in one mesh.
+struct Last_resorts_in_vain
+{
+  Places_in_vain mending, detours;
+};
+
 // The last resorts in turn: sizes first, then shapes, again where one has undone the other, and the
 // last poor faces one by one.
-inline void enforce_sizes_and_shapes(Adaptation_state& s, const Improvement_options& o)
+inline void enforce_sizes_and_shapes(Adaptation_state& s, const Improvement_options& o,
+                                     Last_resorts_in_vain& in_vain)
 {
   enforce_sizes(s, o, 16);
   for(int turn = 0; turn < 3; ++turn) {
-    mend_shapes(s, o, 12);
-    if(faces_to_press(s).empty()) break;
+    mend_shapes(s, o, 12, in_vain.mending);
+    if(faces_to_press(s).empty() || are_sizes_out_of_reach(s)) break;
     enforce_sizes(s, o, 12);
   }
   Local_detours local(s, o);
-  local();
+  local(in_vain.detours);
   s.qualities = Face_values<float>(); // their memory is needed
 }
 

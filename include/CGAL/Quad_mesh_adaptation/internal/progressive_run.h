@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_RUN_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Refinement_progress.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Schedule_ingredients.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
@@ -34,7 +35,12 @@ inline void refine_progressively(Adaptation_state& s, const Improvement_options&
                                  std::size_t max_passes, const Schedule_ingredients& use = {})
 {
   const Growth_limit limit(s);
+  Refinement_progress progress(s);
   for(std::size_t pass = 0; pass < max_passes && !limit.is_exceeded(); ++pass) {
+    if(progress.is_stuck()) {
+      progress.go_back();
+      break;
+    }
     if(use.edge_marking) {
       clear_floors(s);
       if(s.region.empty()) insert_rows(s);
@@ -138,7 +144,8 @@ inline void enforce_before_halving(Adaptation_state& s, const Improvement_option
   enforce_sizes(s, clean, 16);
   if(!is_worth_halving(s)) return;
   Mesh_keeper unmended(s);
-  enforce_sizes_and_shapes(s, clean);
+  Last_resorts_in_vain in_vain;
+  enforce_sizes_and_shapes(s, clean, in_vain);
   if(!is_worth_halving(s)) unmended.restore();
 }
 
@@ -146,7 +153,8 @@ inline void enforce_before_halving(Adaptation_state& s, const Improvement_option
 struct Refused_octave
 {
   std::optional<Mesh_keeper> input;
-  double scale = 1; // of its sizes
+  double scale = 1;        // of its sizes
+  bool is_refused = false; // else there was none
 };
 
 // The same for sizes doubled as often as makes sense.  A solution that takes far too many faces
@@ -167,9 +175,12 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
     const bool is_full =
         is_worth_halving(s) && (s.mesh.number_of_faces() > given_faces || is_made_to_cover(s));
     if(is_full && (!use.trial_halving || is_made_to_halve_well(s))) return octaves;
-    if(is_full && refused && !refused->input) {
-      refused->input.emplace(input);
-      refused->scale = s.size.scale();
+    if(is_full && refused) {
+      refused->is_refused = true;
+      if(!refused->input) {
+        refused->input.emplace(input);
+        refused->scale = s.size.scale();
+      }
     }
     input.restore();
     s.scale_sizes(0.5);
@@ -190,30 +201,32 @@ inline void descend_one_octave(Adaptation_state& s, const Improvement_options& c
 
 // Curves whose edges have been split can have gained a node for every bend; operations that make
 // room for these can take one from another bend.
-inline void fit_bends_left(Adaptation_state& s, const Improvement_options& clean)
+inline void fit_bends_left(Adaptation_state& s, const Improvement_options& clean,
+                           Last_resorts_in_vain& in_vain)
 {
   constexpr int most = 5;
   std::size_t left = (std::numeric_limits<std::size_t>::max)();
-  for(int round = 0; round < most; ++round) {
+  for(int round = 0; round < most && !are_sizes_out_of_reach(s); ++round) {
     const std::size_t moved = Curve_bends(s).fit();
-    if(moved > 0) enforce_sizes_and_shapes(s, clean);
+    if(moved > 0) enforce_sizes_and_shapes(s, clean, in_vain);
     if(moved == 0 || moved >= left) return;
     left = moved;
   }
 }
 
 // Where features stand close, rows that go around them come to light only when all else is done.
-inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clean)
+inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clean,
+                            Last_resorts_in_vain& in_vain)
 {
   constexpr int most = 3;
-  for(int round = 0; round < most && may_spare_rows(s); ++round) {
+  for(int round = 0; round < most && may_spare_rows(s) && !are_sizes_out_of_reach(s); ++round) {
     const double before = energy_and_faults(s);
     Curve_bends(s).hold_all();
     Mesh_keeper rows(s);
     if(spare_rows(s) == 0) return;
     polish_about_bends(s, clean);
     release_bends(s);
-    enforce_sizes_and_shapes(s, clean);
+    enforce_sizes_and_shapes(s, clean, in_vain);
     if(energy_and_faults(s) >= before) return rows.restore();
   }
 }
@@ -235,9 +248,10 @@ inline int run_progressively(Adaptation_state& s, const Improvement_options& cle
   s.surface.forget_tree(); // coarse faces ask it, fine ones hardly ever
   if(Curve_bends(s).fit() > 0 && use.local_operations) polish_about_bends(s, clean);
   if(use.last_resorts) {
-    enforce_sizes_and_shapes(s, clean);
-    fit_bends_left(s, clean);
-    if(use.coarsening && s.region.empty()) spare_rows_left(s, clean);
+    Last_resorts_in_vain in_vain;
+    enforce_sizes_and_shapes(s, clean, in_vain);
+    fit_bends_left(s, clean, in_vain);
+    if(use.coarsening && s.region.empty()) spare_rows_left(s, clean, in_vain);
   }
   release_bends(s);
   return octaves;

@@ -32,12 +32,13 @@ constexpr Index without_detours = 40000;
 // where a small mesh does not come out well, other ways are tried as well, and taken where they are
 // better.
 inline void run_with_detours(Adaptation_state& s, const Improvement_options& clean,
-                             std::size_t max_iterations, const Schedule_ingredients& use)
+                             std::size_t max_iterations, const Schedule_ingredients& use,
+                             Refused_octave* refused = nullptr)
 {
   const auto run = [&] { return run_progressively(s, clean, max_iterations, use); };
   std::optional<Detours> detours;
   if(s.mesh.number_of_faces() <= without_detours && s.region.empty()) detours.emplace(s, run);
-  const int octaves = run();
+  const int octaves = run_progressively(s, clean, max_iterations, use, refused);
   if(detours && use.coarsening) (*detours)(octaves > 0);
 }
 
@@ -72,12 +73,12 @@ inline void run_several_ways(Adaptation_state& s, const Improvement_options& cle
     run_progressively(s, clean, max_iterations, use, &given);
   } else {
     given.input.emplace(s);
-    run_with_detours(s, clean, max_iterations, use);
+    run_with_detours(s, clean, max_iterations, use, &given);
   }
   if(!given.input || (worst_quality(s) > 0 && least_scaled_jacobian(s) >= enough)) return;
   Schedule_ingredients other = use;
   other.trial_halving = false;
-  run_other_way(s, clean, max_iterations, other, given);
+  if(given.is_refused) run_other_way(s, clean, max_iterations, other, given);
   if(least_scaled_jacobian(s) >= enough || s.mesh.number_of_faces() > few_enough) return;
   other.annealing = false;
   run_other_way(s, clean, max_iterations, other, given);

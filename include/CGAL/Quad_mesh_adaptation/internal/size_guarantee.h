@@ -174,20 +174,31 @@ inline double size_excess(const Adaptation_state& s)
   return sum;
 }
 
+// Has all that is done for sizes left much too large?  Then they can not be met.
+inline bool are_sizes_out_of_reach(const Adaptation_state& s)
+{
+  constexpr double few = 0.01; // of the faces
+  return size_excess(s) > few * double(s.mesh.number_of_faces());
+}
+
 // Splits that help are kept.  Where faces lie folded over each other, or the sizes can not be met
 // for another reason, splits only make more faces that are too large; so the second in a row after
-// which no fewer are is the last, and the mesh goes back to the best one there was.
+// which no fewer are is the last, and the mesh goes back to the best one there was.  They are for
+// few faces, and also end where the mesh has grown by half.
 class Bounded_splits
 {
 public:
-  explicit Bounded_splits(Adaptation_state& s) : s_(s) {}
+  explicit Bounded_splits(Adaptation_state& s)
+      : s_(s), most_(s.mesh.number_of_faces() + s.mesh.number_of_faces() / 2 + few)
+  {
+  }
 
   // false: no more.
   bool operator()(const Improvement_options& o, const std::vector<Index>& large)
   {
     const double excess = size_excess(s_);
     in_vain_ = best_ && excess >= least_ ? in_vain_ + 1 : 0;
-    if(in_vain_ == 2) return false;
+    if(in_vain_ == 2 || s_.mesh.number_of_faces() > most_) return false;
     if(in_vain_ == 0) {
       best_.emplace(s_);
       least_ = excess;
@@ -202,7 +213,10 @@ public:
   }
 
 private:
+  static constexpr Index few = 1000; // may be split in any mesh
+
   Adaptation_state& s_;
+  const Index most_; // faces
   std::optional<Mesh_keeper> best_;
   double least_ = 0;
   int in_vain_ = 0;
