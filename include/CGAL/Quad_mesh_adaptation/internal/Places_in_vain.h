@@ -16,8 +16,8 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // The faces that a last resort has left poor where these are many, with those about them.  As long
-// as all of these are as they were the same would be done about them in vain again; with few of them
-// a second try costs little, and may help.
+// as all of these are as they were the same would be done about them in vain again; with few of
+// them a second try costs little, and may help.
 class Places_in_vain
 {
 public:
