@@ -49,6 +49,15 @@ inline std::vector<char> curves_that_kept_length(const Adaptation_state& s)
   return kept;
 }
 
+// Have all curves their length that had it?
+inline bool have_kept_length(const Adaptation_state& s, const std::vector<char>& before)
+{
+  const std::vector<char> now = curves_that_kept_length(s);
+  for(std::size_t c = 0; c < now.size(); ++c)
+    if(before[c] && !now[c]) return false;
+  return true;
+}
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

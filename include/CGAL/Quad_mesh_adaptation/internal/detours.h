@@ -90,7 +90,8 @@ public:
         make_finer(s_);
       run_();
       s_.order = 0;
-      if(demerits(s_) >= least_ || has_cut_curves_short() || misses_sizes()) best_->restore();
+      // a coarser start leaves nodes beside the bends of curves; they do not always find back
+      if(demerits(s_) >= least_ || !have_kept_length(s_, kept_) || misses_sizes()) best_->restore();
     }
   }
 
@@ -114,15 +115,6 @@ private:
     s_.scale_sizes(0.5);
     run_();
     s_.scale_sizes(2);
-  }
-
-  // A coarser start leaves nodes beside the bends of curves; they do not always find back.
-  bool has_cut_curves_short() const
-  {
-    const std::vector<char> now = curves_that_kept_length(s_);
-    for(std::size_t c = 0; c < now.size(); ++c)
-      if(kept_[c] && !now[c]) return true;
-    return false;
   }
 
   // Faces that are too large to see a place of small sizes between their samples are no better for

@@ -9,6 +9,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Schedule_ingredients.h>
 #include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
 #include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -221,13 +223,15 @@ inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clea
   constexpr int most = 3;
   for(int round = 0; round < most && may_spare_rows(s) && !are_sizes_out_of_reach(s); ++round) {
     const double before = energy_and_faults(s);
-    Curve_bends(s).hold_all();
+    const std::vector<char> kept = curves_that_kept_length(s);
     Mesh_keeper rows(s);
-    if(spare_rows(s) == 0) return;
-    polish_about_bends(s, clean);
+    Curve_bends(s).hold_all();
+    const bool any = spare_rows(s) > 0;
+    if(any) polish_about_bends(s, clean);
+    if(any) enforce_sizes_and_shapes(s, clean, in_vain);
     release_bends(s);
-    enforce_sizes_and_shapes(s, clean, in_vain);
-    if(energy_and_faults(s) >= before) return rows.restore();
+    if(!any) return;
+    if(energy_and_faults(s) >= before || !have_kept_length(s, kept)) return rows.restore();
   }
 }
 
