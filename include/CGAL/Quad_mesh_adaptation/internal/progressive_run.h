@@ -217,12 +217,13 @@ inline void fit_bends_left(Adaptation_state& s, const Improvement_options& clean
 }
 
 // Where features stand close, rows that go around them come to light only when all else is done.
+// They go if that leaves no more faces far too small elsewhere, and no curve shorter.
 inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clean,
                             Last_resorts_in_vain& in_vain)
 {
   constexpr int most = 3;
   for(int round = 0; round < most && may_spare_rows(s) && !are_sizes_out_of_reach(s); ++round) {
-    const double before = energy_and_faults(s);
+    const double before = energy_and_faults(s), far_too_small = fraction_below(s, 0.5);
     const std::vector<char> kept = curves_that_kept_length(s);
     Mesh_keeper rows(s);
     Curve_bends(s).hold_all();
@@ -231,7 +232,9 @@ inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clea
     if(any) enforce_sizes_and_shapes(s, clean, in_vain);
     release_bends(s);
     if(!any) return;
-    if(energy_and_faults(s) >= before || !have_kept_length(s, kept)) return rows.restore();
+    if(energy_and_faults(s) >= before || fraction_below(s, 0.5) > far_too_small ||
+       !have_kept_length(s, kept))
+      return rows.restore();
   }
 }
 
