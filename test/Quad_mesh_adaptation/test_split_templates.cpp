@@ -286,7 +286,7 @@ TEST(Even_marks, FewOddFacesOfALargeMesh)
   EXPECT_TRUE(core::even_marks(m, wish, 0.25).empty());
 }
 
-TEST(Even_marks, InfeasibleIsReported)
+TEST(Even_marks, NothingWhereThereIsNoSolution)
 {
   const Adaptation_state s = make_state(shape_zoo::plate(3, 1));
   std::vector<double> wish(12, 1.);

@@ -126,7 +126,8 @@ the default one, for which the number is.
 
 Complexity: linear in the number of faces but for building the reference surface and for sizes that
 must grow from where they are held small (n log n in their number); some 6e4 evaluations of `sizing`
-at least.  A few seconds at most where the faces are counted.
+at least.  Some seconds, as long as adapting takes, where
+the faces are counted.
 */
 template <typename SizingField, typename QuadMesh,
           typename NamedParameters = parameters::Default_named_parameters,

@@ -115,7 +115,7 @@ struct Prepared_run
   std::optional<Distance_bound> bound;
 };
 
-// The same, and what keeps the result within its bound.
+// Adapts as adapt_state() does, and keeps the result within its bound.
 template <typename Algorithm>
 void adapt_within_bound(Prepared_run& run, const std::optional<Mirror_goal>& mirror,
                         const Algorithm& algorithm)
