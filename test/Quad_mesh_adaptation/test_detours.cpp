@@ -165,7 +165,33 @@ TEST(Local_detours, HaveTrialsInTheEnd)
   EXPECT_TRUE(core::poor_shapes(s, QMA::Poor_face::floor).empty());
 }
 
-// Where two creases meet at a flat angle a second face is to be had as well.
+// Faces that are far too small go also where no single operation gains.
+TEST(Local_detours, ThinOutInTheEnd)
+{
+  const core::Improvement_options usual;
+  Index before = 0, after = 0;
+  for(unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    Options o;
+    o.size = [](const Vec&) { return 2.5; };
+    Adaptation_state s = make_state(shape_zoo::irregular(10, seed), o);
+    const state_checks::Snapshot given = state_checks::snapshot(s);
+    core::clean_up(s, usual, 30, 6); // all that single operations can do
+    core::enforce_sizes(s, usual, 16);
+    const double energy = core::energy_and_faults(s);
+    const double small = core::fraction_below(s, core::far_too_small) * s.mesh.number_of_faces();
+    before += s.mesh.number_of_faces();
+    core::Local_detours(s, usual).in_the_end();
+    EXPECT_VALID_STATE(s, given, true);
+    EXPECT_TRUE(core::faces_too_large(s).empty());
+    EXPECT_LE(core::energy_and_faults(s), energy + 1e-9);
+    EXPECT_LE(core::fraction_below(s, core::far_too_small) * s.mesh.number_of_faces(),
+              small + 1e-9);
+    after += s.mesh.number_of_faces();
+  }
+  EXPECT_LT(after, before / 4);
+}
+
 // Of narrow rows between wider ones as many go as the sizes can do without, and no more.
 TEST(Rows_left, GoInTheEnd)
 {
@@ -201,6 +227,7 @@ TEST(Rows_left, StayWhereTheyAreNeeded)
   for(Index v = 0; v < before.vertex_end(); ++v) EXPECT_EQ(s.mesh.point(v), before.point(v));
 }
 
+// Where two creases meet at a flat angle a second face is to be had as well.
 TEST(Corner_splits, WhereCreasesMeet)
 {
   Options o;

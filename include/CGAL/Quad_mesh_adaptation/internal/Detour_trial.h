@@ -48,6 +48,7 @@ public:
                            worst_quality(s_) >= start_->least_quality - hair &&
                            least_scaled_jacobian(s_) >= start_->least_jacobian - hair &&
                            crowding() <= start_->crowding &&
+                           unexcused_to_spare() <= start_->unexcused &&
                            demerits_here() < start_->demerits - least_gain;
     if(!is_better) {
       go_back();
@@ -67,6 +68,13 @@ public:
   // What is left poor after the operations is mended by moves for the sake of angles from now on.
   void move_for_angles() { moves_for_angles_ = true; }
 
+  // No more faces are poor without an excuse from now on, whatever is gained for them.
+  void spare_shapes()
+  {
+    spares_shapes_ = true;
+    forget_start();
+  }
+
   // The mesh has been changed since the last trial.
   void forget_start()
   {
@@ -80,7 +88,7 @@ private:
   {
     double demerits, least_quality, least_jacobian; // folds may hide the latter from the former
     int crowding;
-    std::size_t too_large;
+    std::size_t too_large, unexcused;
     std::vector<char> stirred, restless;
     Face_values<double> sizes; // of all faces
   };
@@ -93,6 +101,7 @@ private:
                       (std::min)(least_scaled_jacobian(s_), Poor_face::floor),
                       crowding(),
                       faces_too_large(s_).size(),
+                      unexcused_to_spare(),
                       s_.stirred,
                       s_.restless,
                       s_.sizes };
@@ -111,6 +120,14 @@ private:
       if(images > 1 || !m.is_border_vertex(v))
         faces += (std::max)(images * m.vertex(v).faces - allowed, 0);
     }
+    return faces;
+  }
+
+  std::size_t unexcused_to_spare() const
+  {
+    std::size_t faces = 0;
+    for(Index f = 0; spares_shapes_ && f < s_.mesh.face_end(); ++f)
+      if(s_.mesh.is_face(f) && is_unexcused(s_, f)) ++faces;
     return faces;
   }
 
@@ -181,7 +198,7 @@ private:
 
   Adaptation_state& s_;
   Improvement_options follow_;
-  bool counts_all_crowds_ = false, moves_for_angles_ = false;
+  bool counts_all_crowds_ = false, moves_for_angles_ = false, spares_shapes_ = false;
   std::optional<Start> start_;
   std::optional<Mesh_keeper> mesh_;
 };

@@ -70,6 +70,18 @@ inline Detour_search thorough_search(const Improvement_options& o, int rings)
   return x;
 }
 
+// To have fewer faces: half rows between curves, or single faces.  Others hardly ever lead there.
+inline Detour_search thinning_search(const Improvement_options& o, bool half_rows)
+{
+  Improvement_options none = made_to_do_nothing(o);
+  none.max_valence = 6;
+  none.tolerance = 30;
+  none.min_jacobian = 0.1;
+  none.border = none.crease = half_rows;
+  none.close = !half_rows;
+  return { { none }, 1, 0.5 };
+}
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

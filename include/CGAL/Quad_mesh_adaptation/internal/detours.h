@@ -25,9 +25,9 @@ namespace internal {
 // What is wrong with a mesh, to be compared with another one for the same sizes.
 inline double demerits(Adaptation_state& s)
 {
-  const double too_small = fraction_below(s, 0.5) * double(s.mesh.number_of_faces());
-  return total_energy(s) + 10 * shape_faults(s) + 10 * double(faces_too_large(s).size()) +
-         3 * too_small;
+  constexpr double price = 10; // of a face too large, or far too small
+  const double small = fraction_below(s, far_too_small) * double(s.mesh.number_of_faces());
+  return energy_and_faults(s) + price * (double(faces_too_large(s).size()) + small);
 }
 
 // Has the mesh more faces and irregular nodes than most do?  Those within their sizes and without

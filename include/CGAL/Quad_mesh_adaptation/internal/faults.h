@@ -16,6 +16,8 @@ namespace internal {
 // Largest size ratio that counts as "not larger".
 constexpr double size_tolerance = 1 + 1e-9;
 
+constexpr double far_too_small = 0.5; // a size ratio
+
 inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limit = size_tolerance)
 {
   std::vector<Index> list;

@@ -6,8 +6,9 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Angle_placing.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Detour_trial.h>
-#include <CGAL/Quad_mesh_adaptation/internal/detour_searches.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Work_part.h>
+#include <CGAL/Quad_mesh_adaptation/internal/detour_searches.h>
+#include <CGAL/Quad_mesh_adaptation/internal/detour_targets.h>
 #include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 
@@ -24,21 +25,23 @@ namespace internal {
 // face may raise the energy, and those that follow lower it again, at first with more weight on
 // shapes; where that ends with a better mesh it stays, else all goes back.  That takes a copy of
 // the mesh each time, hence only as many trials as the mesh is small; but faces that nothing
-// excuses are tried in the part of the mesh about them.
+// excuses are tried in the part of the mesh about them.  In the end the same is done about faces
+// that are far too small, where features leave no single operation that gains.
 class Local_detours
 {
 public:
   Local_detours(Adaptation_state& s, const Improvement_options& o)
       : s_(s), options_(made_careful(o)), trial_(s, options_),
         usual_(usual_search(options_, s.energy.min_gain)), near_(thorough_search(options_, 1)),
-        farther_(thorough_search(options_, 2))
+        farther_(thorough_search(options_, 2)), rows_(thinning_search(options_, true)),
+        closes_(thinning_search(options_, false))
   {
   }
 
   // What `in_vain` remembers is not tried again.
   void operator()(Places_in_vain& in_vain)
   {
-    mend_unexcused({ &near_, &farther_ });
+    try_in_parts(unexcused_faces(), { &near_, &farther_ });
     trials_left_ = affordable_trials(most_work, most_trials);
     const std::vector<char> about = in_vain.changed_nodes(s_);
     std::vector<Index> poor = poor_faces_by_shape(about);
@@ -63,18 +66,28 @@ public:
   void in_the_end()
   {
     s_.detours_left = trials_in_the_end;
-    relieves_crowds_ = true;
     trial_.count_all_crowds();
     trial_.move_for_angles();
     place_for_angles();
-    mend_unexcused({ &near_ });
-    mend_unexcused({ &splits_ });
-    mend_unexcused({ &farther_ });
+    for(const Detour_search* search : { &near_, &splits_, &farther_ })
+      try_in_parts(unexcused_and_crowded_faces(), { search });
+    thin_out_in_the_end();
     s_.qualities = Face_values<float>();
   }
 
 private:
   using Searches = std::vector<const Detour_search*>;
+
+  // Half rows between curves go before single faces: fewer trials, and more faces each time.
+  void thin_out_in_the_end()
+  {
+    if(are_sizes_out_of_reach(s_)) return;
+    s_.detours_left = trials_to_thin_out;
+    trial_.spare_shapes();
+    try_in_parts(far_too_small_faces(), { &rows_ });
+    try_in_parts(far_too_small_faces(), { &closes_ });
+    try_in_parts(far_too_small_faces(), { &rows_ });
+  }
 
   // The cheapest that helps, and it makes no faces.
   void place_for_angles()
@@ -88,28 +101,26 @@ private:
     }
   }
 
-  // Those below the floor that is promised go first, each for itself.
-  void mend_unexcused(const Searches& searches)
+  // The worst first, each for itself.
+  void try_in_parts(const Detour_target& target, const Searches& searches)
   {
     const std::vector<char> stirred = s_.stirred, restless = s_.restless;
-    std::vector<char> tried;
-    double work_left = most_work_on_unexcused;
+    Tried_faces tried;
+    double work_left = most_work_in_parts;
     while(work_left > 0 && s_.detours_left > 0) {
-      Index f = worst_unexcused(tried);
-      if(f < 0 && relieves_crowds_) f = worst_about_crowds(tried);
+      const Index f = target.worst(s_, tried);
       if(f < 0) break;
-      tried.resize(s_.mesh.face_end(), 0);
-      tried[f] = 1;
+      tried.add(s_, f);
       work_left -= work_to_find_it * s_.mesh.number_of_faces();
       const Part_choice choice(s_.mesh, { f }, rings);
       if(s_.region.empty() && choice.is_small(s_.mesh)) {
         Work_part part(s_, { f }, choice, rings);
         trial_.forget_start(); // of another mesh
-        work_left -= try_on(part.work().front(), searches, work_left);
+        work_left -= try_on(part.work().front(), target, searches, work_left);
         part.put_back();
         trial_.forget_start();
       } else {
-        work_left -= try_on(f, searches, work_left);
+        work_left -= try_on(f, target, searches, work_left);
       }
     }
     const auto give_back = [&](std::vector<char>& to, const std::vector<char>& marks) {
@@ -120,66 +131,12 @@ private:
     give_back(s_.restless, restless);
   }
 
-  // -1: none.
-  Index worst_unexcused(const std::vector<char>& tried) const
-  {
-    const auto is_tried = [&](Index f) { return f < Index(tried.size()) && tried[f]; };
-    Index worst = -1;
-    double least = Poor_face::floor;
-    for(Index f = 0; f < s_.mesh.face_end(); ++f) {
-      if(!s_.mesh.is_face(f) || is_tried(f)) continue;
-      const double jacobian = scaled_jacobian(s_.corners(f));
-      if(jacobian >= least || !is_within(f) || !is_poorer_than_need_be(s_, f)) continue;
-      least = jacobian;
-      worst = f;
-    }
-    return worst;
-  }
-
-  // About a node of which no face has been tried.  -1: none.
-  Index worst_about_crowds(const std::vector<char>& tried) const
-  {
-    Index worst = -1;
-    double least = 2;
-    std::vector<Index> out;
-    for(Index v = 0; v < s_.mesh.vertex_end(); ++v) {
-      if(!s_.mesh.is_vertex(v) || faces_too_many(s_, v) == 0) continue;
-      s_.mesh.outgoing(v, out);
-      const auto is_tried = [&](Index h) {
-        return s_.mesh.face(h) < Index(tried.size()) && tried[s_.mesh.face(h)];
-      };
-      if(std::any_of(out.begin(), out.end(), is_tried)) continue;
-      for(Index h : out) {
-        const Index f = s_.mesh.face(h);
-        const double jacobian = scaled_jacobian(s_.corners(f));
-        if(jacobian >= least || !is_within(f)) continue;
-        least = jacobian;
-        worst = f;
-      }
-    }
-    return worst;
-  }
-
-  bool is_within(Index f) const
-  {
-    const Quad q = s_.mesh.quad(f);
-    return std::all_of(q.begin(), q.end(), [this](Index v) { return s_.is_to_work_on(v); });
-  }
-
-  bool is_to_mend(Index f) const
-  {
-    const Quad q = s_.mesh.quad(f);
-    const auto has_too_many = [this](Index v) { return faces_too_many(s_, v) > 0; };
-    return is_poorer_than_need_be(s_, f) ||
-           (relieves_crowds_ && std::any_of(q.begin(), q.end(), has_too_many));
-  }
-
   // Until face f is good enough or nothing helps; returns the work.
-  double try_on(Index f, const Searches& searches, double work_left)
+  double try_on(Index f, const Detour_target& target, const Searches& searches, double work_left)
   {
     double work = 0;
     bool again = true;
-    while(again && s_.mesh.is_face(f) && is_to_mend(f) && work < work_left) {
+    while(again && s_.mesh.is_face(f) && target.is_left(s_, f) && work < work_left) {
       const Index faces = s_.mesh.number_of_faces();
       const std::size_t trials =
           affordable_trials(work_left - work, (std::min)(most_trials_each, s_.detours_left));
@@ -259,17 +216,16 @@ private:
   }
 
   static constexpr double most_work = 1e5; // faces in all copies
-  static constexpr double most_work_on_unexcused = 8e5;
+  static constexpr double most_work_in_parts = 8e5;
   static constexpr double work_to_find_it = 0.1; // a face, and to take a part out, for each face
   static constexpr std::size_t most_trials = 40, most_trials_each = 100, trials_in_the_end = 600,
-                               most_placings = 500;
+                               trials_to_thin_out = 1000, most_placings = 500;
   static constexpr int rings = 4; // of faces to work on about a face
 
   Adaptation_state& s_;
   Improvement_options options_;
   Detour_trial trial_;
-  bool relieves_crowds_ = false;
-  const Detour_search usual_, near_, farther_, splits_ = { {}, 1, 1, true };
+  const Detour_search usual_, near_, farther_, rows_, closes_, splits_ = { {}, 1, 1, true };
   std::size_t trials_left_ = 0;
 };
 

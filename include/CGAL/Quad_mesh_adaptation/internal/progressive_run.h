@@ -137,7 +137,7 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
 // Has a mesh that will be halved about as many faces as its sizes ask for?
 inline bool is_worth_halving(const Adaptation_state& s)
 {
-  return efficiency(s) > 0.88 && fraction_below(s, 0.5) < 0.003;
+  return efficiency(s) > 0.88 && fraction_below(s, far_too_small) < 0.003;
 }
 
 // Shapes are mended as long as that does not cost so many faces that halving does not pay.
@@ -223,7 +223,7 @@ inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clea
 {
   constexpr int most = 3;
   for(int round = 0; round < most && may_spare_rows(s) && !are_sizes_out_of_reach(s); ++round) {
-    const double before = energy_and_faults(s), far_too_small = fraction_below(s, 0.5);
+    const double before = energy_and_faults(s), small = fraction_below(s, far_too_small);
     const std::vector<char> kept = curves_that_kept_length(s);
     Mesh_keeper rows(s);
     Curve_bends(s).hold_all();
@@ -232,7 +232,7 @@ inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clea
     if(any) enforce_sizes_and_shapes(s, clean, in_vain);
     release_bends(s);
     if(!any) return;
-    if(energy_and_faults(s) >= before || fraction_below(s, 0.5) > far_too_small ||
+    if(energy_and_faults(s) >= before || fraction_below(s, far_too_small) > small ||
        !have_kept_length(s, kept))
       return rows.restore();
   }
