@@ -95,13 +95,10 @@ public:
   void leave_out_about(Index v)
   {
     const Quad_complex& m = s_.mesh;
-    const Index start = m.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : m.outgoing(v)) {
       leave_out(chord_of_[2 * m.face(h)]);
       leave_out(chord_of_[2 * m.face(h) + 1]);
-      h = m.turn_left(h);
-    } while(h >= 0 && h != start);
+    }
   }
 
 private:

@@ -89,14 +89,12 @@ private:
   // Two faces that share two edges, or two fans of faces at one vertex: -1 if there are none.
   int find_bad_vertex() const
   {
-    std::vector<Index> out;
     for(Index v = 0; v < mesh_.vertex_end(); ++v) {
       if(!mesh_.is_vertex(v) || touched_[v] == 0) continue;
-      mesh_.outgoing(v, out);
       const int faces = mesh_.vertex(v).faces;
       const bool doublet = faces < 3 && !mesh_.is_border_vertex(v) &&
                            !(v < Index(in_.points.size()) && whole_.mesh.vertex(v).faces == faces);
-      if(doublet || int(out.size()) != faces) return plane_of(v, v);
+      if(doublet || mesh_.outgoing(v).size() != faces) return plane_of(v, v);
     }
     return -1;
   }

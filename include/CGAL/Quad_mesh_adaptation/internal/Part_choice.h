@@ -83,14 +83,9 @@ private:
 
   int number_of_fans(const Quad_complex& m, Index v) const
   {
-    const Index start = m.vertex(v).halfedge;
-    int starts = m.is_border(start) && has(m.face(start)) ? 1 : 0;
-    Index h = start;
-    do {
-      const Index next = m.turn_left(h);
-      if(next >= 0 && has(m.face(next)) && !has(m.face(h))) ++starts;
-      h = next;
-    } while(h >= 0 && h != start);
+    int starts = 0;
+    for(Index h : m.outgoing(v)) // is there none of it clockwise?
+      if(has(m.face(h)) && (m.is_border(h) || !has(m.face(m.opposite(h))))) ++starts;
     return starts;
   }
 

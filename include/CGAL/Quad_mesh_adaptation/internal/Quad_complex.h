@@ -165,14 +165,8 @@ public:
     Index start = h;
     for(Index r = turn_right(h); r >= 0 && r != h; r = turn_right(r)) start = r;
     if(!is_border(start)) start = h;
-    int n = 0;
-    Index c = start;
-    do {
-      ++n;
-      c = turn_left(c);
-    } while(c >= 0 && c != start);
     vertices_[v].halfedge = start;
-    vertices_[v].faces = n;
+    vertices_[v].faces = outgoing(v).size();
   }
 
   // Gives the faces the numbers of their places in `order`, which names each face once, and the

@@ -102,11 +102,8 @@ inline void smooth_curve(Adaptation_state& s, Index c, const std::vector<Border_
       r.param += 0.5 * (wa * a + wb * b) / (std::max)(wa, wb);
       s.place(r);
     }
-  std::vector<Index> out;
-  for(const Border_node& n : nodes) {
-    m.outgoing(n.node, out);
-    for(Index h : out) s.face_moved(m.face(h));
-  }
+  for(const Border_node& n : nodes)
+    for(Index h : m.outgoing(n.node)) s.face_moved(m.face(h));
 }
 
 // A chord whose end edges are too short, and stay short enough when their neighbours take over

@@ -87,14 +87,7 @@ private:
     const Quad_complex& m = s_.mesh;
     for(Index v = 0; v < m.vertex_end(); ++v) {
       if(!m.is_vertex(v)) continue;
-      const Index start = m.vertex(v).halfedge;
-      int faces = 0;
-      Index h = start;
-      do {
-        ++faces;
-        h = m.turn_left(h);
-      } while(h >= 0 && h != start);
-      if(faces != m.vertex(v).faces)
+      if(m.outgoing(v).size() != m.vertex(v).faces)
         throw Refused{ Refusal::non_manifold, "joins parts of the mesh that share no edge there",
                        -1, v };
     }
@@ -140,13 +133,11 @@ private:
     s_.surface = Reference_surface(reference.points, reference.triangles, match.sharp());
     if(!s_.surface.is_planar()) match_patches();
     lift_surface(match.edges(), geometry);
-    std::vector<Index> out;
     for(Index v = 0; v < m.vertex_end(); ++v) {
       Vertex_record& r = m.vertex(v);
       if(!m.is_vertex(v) || r.carrier != Carrier::surface || s_.surface.is_planar()) continue;
       Vec n(0, 0, 0);
-      m.outgoing(v, out);
-      for(Index h : out) n = n + area_vector(s_.corners(m.face(h)));
+      for(Index h : m.outgoing(v)) n = n + area_vector(s_.corners(m.face(h)));
       r.hint = s_.surface.find(r.p, s_.reference_patch[m.patch(m.face(r.halfedge))], n);
     }
   }
@@ -230,7 +221,6 @@ private:
   void set_ideal_valences()
   {
     Quad_complex& m = s_.mesh;
-    std::vector<Index> out;
     for(Index v = 0; v < m.vertex_end(); ++v) {
       if(!m.is_vertex(v)) continue;
       Vertex_record& r = m.vertex(v);
@@ -238,8 +228,7 @@ private:
       r.ideal_faces = border ? 2 : 4;
       if(r.carrier != Carrier::corner) continue;
       double angle = 0;
-      m.outgoing(v, out);
-      for(Index h : out) angle += corner_angle(h);
+      for(Index h : m.outgoing(v)) angle += corner_angle(h);
       r.ideal_faces = std::int16_t((std::max)(1L, std::lround(angle / (pi / 2))));
     }
   }

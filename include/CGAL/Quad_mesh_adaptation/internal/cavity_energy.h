@@ -40,12 +40,8 @@ inline int Cavity::side_difference_after(int n) const
   for(int i = first_corner(n); i < corner_end_[n]; ++i)
     sides.add(m.patch(quads[corner_list_[i] >> 2].parent));
   if(ids[n] < 0) return sides.difference();
-  const Index start = m.vertex(ids[n]).halfedge;
-  Index h = start;
-  do {
+  for(Index h : m.outgoing(ids[n]))
     if(!has_old_face(m.face(h))) sides.add(m.patch(m.face(h)));
-    h = m.turn_left(h);
-  } while(h >= 0 && h != start);
   return sides.difference();
 }
 

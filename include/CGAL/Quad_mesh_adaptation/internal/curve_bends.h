@@ -269,24 +269,16 @@ private:
   double worst_about(Index v) const
   {
     double worst = 1;
-    const Index start = s_.mesh.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : s_.mesh.outgoing(v)) {
       const Index f = s_.mesh.face(h);
       worst = (std::min)(worst, s_.face_quality(s_.corners(f), s_.reference_normal(f)));
-      h = s_.mesh.turn_left(h);
-    } while(h >= 0 && h != start);
+    }
     return worst;
   }
 
   void tell_neighbours(Index v)
   {
-    const Index start = s_.mesh.vertex(v).halfedge;
-    Index h = start;
-    do {
-      s_.face_moved(s_.mesh.face(h));
-      h = s_.mesh.turn_left(h);
-    } while(h >= 0 && h != start);
+    for(Index h : s_.mesh.outgoing(v)) s_.face_moved(s_.mesh.face(h));
     if(!s_.coverage.is_empty()) share_witnesses(s_, v);
     disturb_around(s_, v);
     s_.stir(v);

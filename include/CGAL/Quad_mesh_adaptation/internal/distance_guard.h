@@ -94,12 +94,8 @@ inline bool is_within_bound(const Adaptation_state& s, Index h)
 // All of these about vertex v, all that a move of v changes.
 inline bool is_within_bound_about(const Adaptation_state& s, Index v)
 {
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
+  for(Index h : s.mesh.outgoing(v))
     if(!is_within_bound(s, h)) return false;
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
   return true;
 }
 
@@ -120,12 +116,7 @@ inline double distance_of(const Adaptation_state& s, Index f)
 inline double distance_about(const Adaptation_state& s, Index v)
 {
   double largest = 0;
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
-    largest = (std::max)(largest, distance_of(s, s.mesh.face(h)));
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
+  for(Index h : s.mesh.outgoing(v)) largest = (std::max)(largest, distance_of(s, s.mesh.face(h)));
   return largest;
 }
 

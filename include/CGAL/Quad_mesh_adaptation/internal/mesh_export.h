@@ -74,11 +74,8 @@ private:
   // Does a half-edge run from u to v?
   bool leads_to(Index u, Index v) const
   {
-    Index h = nodes_[u].halfedge;
-    do {
+    for(Index h : Quad_complex::Outgoing_range(m_, nodes_[u].halfedge))
       if(m_.target(h) == v) return true;
-      h = m_.turn_left(h);
-    } while(h >= 0 && h != nodes_[u].halfedge);
     return false;
   }
 

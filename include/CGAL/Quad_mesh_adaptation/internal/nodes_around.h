@@ -25,15 +25,12 @@ inline void mark_nodes_around(const Quad_complex& m, const std::vector<Index>& f
   };
   for(Index f : faces)
     for(Index v : m.quad(f)) reach(v);
-  std::vector<Index> out;
   for(int ring = 0; ring < rings && !front.empty(); ++ring) {
     std::vector<Index> now;
     now.swap(front);
-    for(Index v : now) {
-      m.outgoing(v, out);
-      for(Index h : out)
+    for(Index v : now)
+      for(Index h : m.outgoing(v))
         for(Index u : m.quad(m.face(h))) reach(u);
-    }
   }
 }
 

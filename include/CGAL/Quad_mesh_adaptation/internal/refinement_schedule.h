@@ -30,12 +30,8 @@ inline std::vector<char> probes(const Quad_complex& m, std::vector<char> wanted)
     if(is_covered[v] && m.vertex(v).carrier == Carrier::surface) continue;
     wanted[v] = 1;
     if(m.vertex(v).carrier == Carrier::curve) continue;
-    const Index start = m.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : m.outgoing(v))
       for(Index u : m.quad(m.face(h))) is_covered[u] = 1;
-      h = m.turn_left(h);
-    } while(h >= 0 && h != start);
   }
   return wanted;
 }

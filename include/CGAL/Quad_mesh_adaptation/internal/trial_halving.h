@@ -40,7 +40,7 @@ inline std::vector<Index> faces_off_the_surface(const Adaptation_state& s)
 inline std::vector<Index> faces_folded_by_halving(Adaptation_state& s)
 {
   constexpr double useless = 0.02;
-  std::vector<Index> nodes, faces, out;
+  std::vector<Index> nodes, faces;
   if(s.surface.is_planar()) return faces;
   const double enough = (std::min)(useless, worst_quality(s));
   std::vector<char> is_old(s.mesh.vertex_end(), 0);
@@ -57,10 +57,8 @@ inline std::vector<Index> faces_folded_by_halving(Adaptation_state& s)
   }
   s.scale_sizes(2);
   mesh.restore();
-  for(Index v : nodes) {
-    s.mesh.outgoing(v, out);
-    for(Index h : out) faces.push_back(s.mesh.face(h));
-  }
+  for(Index v : nodes)
+    for(Index h : s.mesh.outgoing(v)) faces.push_back(s.mesh.face(h));
   return faces;
 }
 
