@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/boxes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -60,16 +61,7 @@ struct Face_arrays
     return sum;
   }
   // Of the box around all points.
-  double diagonal() const
-  {
-    Vec low = points.at(0), high = low;
-    for(const Vec& p : points) {
-      low = Vec((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z()));
-      high = Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
-                 (std::max)(high.z(), p.z()));
-    }
-    return norm(high - low);
-  }
+  double diagonal() const { return norm(Box(points).extent()); }
 };
 
 // Throws std::invalid_argument, in the name of `who`, for a mesh without faces or a coordinate that

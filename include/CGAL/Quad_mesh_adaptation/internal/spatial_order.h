@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SPATIAL_ORDER_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/boxes.h>
 
 #include <algorithm>
 #include <array>
@@ -23,20 +24,11 @@ class Cell_number
 public:
   explicit Cell_number(const Quad_complex& m)
   {
-    bool is_first = true;
-    Vec high(0, 0, 0);
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      if(!m.is_vertex(v)) continue;
-      const Vec& p = m.point(v);
-      if(is_first) low_ = high = p;
-      is_first = false;
-      low_ = Vec((std::min)(low_.x(), p.x()), (std::min)(low_.y(), p.y()),
-                 (std::min)(low_.z(), p.z()));
-      high = Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
-                 (std::max)(high.z(), p.z()));
-    }
-    const Vec size = high - low_;
-    const double longest = (std::max)({ size.x(), size.y(), size.z() });
+    Box box;
+    for(Index v = 0; v < m.vertex_end(); ++v)
+      if(m.is_vertex(v)) box.add(m.point(v));
+    low_ = box.low;
+    const double longest = box.longest_side();
     scale_ = longest > 0 ? cells / longest : 0.;
   }
 
