@@ -55,7 +55,7 @@ private:
     if(number_poor() <= poor) return;
     for(std::size_t i = 0; i < nodes_.size(); ++i) s_.mesh.vertex(nodes_[i]) = before[i];
     for(Index v : nodes_) {
-      faces_moved(v);
+      s_.node_moved(v);
       share_witnesses_about(v);
     }
   }
@@ -175,7 +175,7 @@ private:
       best = r;
     }
     r = best;
-    faces_moved(v);
+    s_.node_moved(v);
     if(best.p != old.p) share_witnesses_about(v);
   }
 
@@ -193,7 +193,7 @@ private:
   {
     constexpr double hair = 1e-9;
     if(!is_order_kept(s_, v, old)) return false;
-    faces_moved(v);
+    s_.node_moved(v);
     const auto is_too_poor = [this](Index f) {
       return scaled_jacobian(s_.corners(f)) < least_jacobian_[f] - hair ||
              quality_of(f) < least_[f] - hair;
@@ -210,11 +210,6 @@ private:
     for(Index h : s_.mesh.outgoing(v))
       largest = (std::max)(largest, s_.size_ratio(s_.mesh.face(h)));
     return largest;
-  }
-
-  void faces_moved(Index v)
-  {
-    for(Index h : s_.mesh.outgoing(v)) s_.face_moved(s_.mesh.face(h));
   }
 
   void share_witnesses_about(Index v)

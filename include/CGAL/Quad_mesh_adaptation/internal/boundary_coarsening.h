@@ -102,8 +102,7 @@ inline void smooth_curve(Adaptation_state& s, Index c, const std::vector<Border_
       r.param += 0.5 * (wa * a + wb * b) / (std::max)(wa, wb);
       s.place(r);
     }
-  for(const Border_node& n : nodes)
-    for(Index h : m.outgoing(n.node)) s.face_moved(m.face(h));
+  for(const Border_node& n : nodes) s.node_moved(n.node);
 }
 
 // A chord whose end edges are too short, and stay short enough when their neighbours take over

@@ -278,7 +278,7 @@ private:
 
   void tell_neighbours(Index v)
   {
-    for(Index h : s_.mesh.outgoing(v)) s_.face_moved(s_.mesh.face(h));
+    s_.node_moved(v);
     if(!s_.coverage.is_empty()) share_witnesses(s_, v);
     disturb_around(s_, v);
     s_.stir(v);

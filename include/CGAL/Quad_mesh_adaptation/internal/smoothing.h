@@ -141,7 +141,7 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
     r = old;
     return false;
   }
-  for(Index h : s.mesh.outgoing(v)) s.face_moved(s.mesh.face(h));
+  s.node_moved(v);
   if(!relax.pulls().empty()) share_witnesses(s, v);
   const double edge = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
   const double way = distance(r.p, old.p);
