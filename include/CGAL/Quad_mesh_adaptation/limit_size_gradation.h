@@ -62,13 +62,10 @@ template <class PolygonMesh, class VertexSizeMap, class NP = parameters::Default
 void limit_size_gradation(const PolygonMesh& mesh, VertexSizeMap sizes, double growth,
                           const NP& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
   if(!(std::isfinite(growth) && growth >= 0))
     throw std::invalid_argument("limit_size_gradation: the slope is not a finite number >= 0");
-  const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(vertex_point, mesh));
+  const auto points = internal::vertex_points(mesh, np);
 
   std::vector<Vertex> vertex_of;
   std::unordered_map<Vertex, std::size_t> number;

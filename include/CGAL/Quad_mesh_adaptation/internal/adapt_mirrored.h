@@ -95,11 +95,10 @@ inline std::size_t count_faults(const Adaptation_state& s, double limit)
       ++faults;
   // in a large mesh a few of these are not worth another solution
   constexpr Index many = 20000;
-  constexpr double poor = 0.45;
   if(s.mesh.number_of_faces() > many) return faults;
   for(Index v = 0; v < s.mesh.vertex_end(); ++v)
     if(s.mesh.is_vertex(v) && faces_too_many(s, v) > 0) ++faults;
-  for(const Poor_face& p : poor_shapes(s, poor))
+  for(const Poor_face& p : poor_shapes(s, Poor_face::floor))
     if(p.limit == Shape_limit::none) ++faults;
   return faults;
 }

@@ -54,8 +54,6 @@ public:
   }
 
 private:
-  static constexpr double pi = 3.14159265358979323846;
-
   void make_complex()
   {
     Quad_complex& m = s_.mesh;
@@ -151,7 +149,7 @@ private:
     std::size_t fit = 0;
     for(std::size_t i = 0; n >= large && i < samples; ++i) {
       const Corners p = s_.corners(Index(i * n / samples));
-      const double ratio = mean_edge_length(p) / s_.size.at(0.25 * (p[0] + p[1] + p[2] + p[3]));
+      const double ratio = mean_edge_length(p) / s_.size.at(face_centre(p));
       fit += ratio > 0.5 && ratio < 1.05 ? 1 : 0;
     }
     return 10 * fit >= 9 * samples;
@@ -165,7 +163,7 @@ private:
     std::vector<std::vector<Index>> found(s_.given_patch.size());
     for(Index f = 0; f < m.face_end(); ++f) {
       const Corners p = s_.corners(f);
-      const Index t = s_.surface.find(0.25 * (p[0] + p[1] + p[2] + p[3]), -1, area_vector(p));
+      const Index t = s_.surface.find(face_centre(p), -1, area_vector(p));
       found[m.patch(f)].push_back(s_.surface.patch(t));
     }
     s_.reference_patch.assign(found.size(), -1);

@@ -156,9 +156,7 @@ inline bool Cavity::is_within_bound_after() const
   for(const Cavity_quad& q : quads) {
     const Corners p = corners_of(q);
     Index hint = hint_for(q);
-    if(!s_.surface.is_planar() &&
-       !s_.surface.is_within(0.25 * (p[0] + p[1] + p[2] + p[3]), bound, hint))
-      return false;
+    if(!s_.surface.is_planar() && !s_.surface.is_within(face_centre(p), bound, hint)) return false;
     for(int i = 0; i < 4; ++i) {
       const int a = q.v[i], b = q.v[(i + 1) & 3];
       if(q.curve[i] >= 0) {

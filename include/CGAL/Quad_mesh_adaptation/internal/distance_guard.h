@@ -25,7 +25,7 @@ inline double distance_of_face(const Adaptation_state& s, const Corners& p, Inde
 {
   if(s.surface.is_planar()) return 0;
   const auto off = [&](const Vec& q) { return distance(q, s.surface.project(q, hint)); };
-  double largest = off(0.25 * (p[0] + p[1] + p[2] + p[3]));
+  double largest = off(face_centre(p));
   for(int i = 0; i < 4; ++i) largest = (std::max)(largest, off(0.5 * (p[i] + p[(i + 1) & 3])));
   return largest;
 }
@@ -77,8 +77,7 @@ inline bool is_within_bound(const Adaptation_state& s, Index h)
   const Index f = m.face(h);
   const Corners p = s.corners(f);
   Index hint = s.triangle_near(f, p[h & 3]);
-  if(!s.surface.is_planar() &&
-     !s.surface.is_within(0.25 * (p[0] + p[1] + p[2] + p[3]), s.max_distance, hint))
+  if(!s.surface.is_planar() && !s.surface.is_within(face_centre(p), s.max_distance, hint))
     return false;
   for(Index g : { h, m.prev(h) }) {
     const Index a = m.origin(g), b = m.target(g);
