@@ -171,27 +171,39 @@ Snapshot snapshot(const Adaptation_state& s)
 
 namespace {
 
+using Neighbours = std::map<Index, std::vector<Index>>; // along a curve
+
+// Each node of curve c has two neighbours but for the ends, and lies on the curve.
+std::string chain_node_problem(const Adaptation_state& s, Index c, const Neighbours& neighbours)
+{
+  const core::Feature_curve& curve = s.curves[c];
+  const bool loop = curve.is_closed() || curve.first_corner == curve.last_corner;
+  for(const auto& n : neighbours) {
+    const bool end = n.first == curve.first_corner || n.first == curve.last_corner;
+    if(n.second.size() != (end && !loop ? 1u : 2u)) return name("branch at vertex", n.first);
+    if(end) continue;
+    const core::Vertex_record& r = s.mesh.vertex(n.first);
+    if(r.carrier != Carrier::curve || r.curve != c) return name("strange node", n.first);
+    const double off = std::sqrt((r.p - curve.point(r.param)).squared_length());
+    if(off > 1e-9 * curve.length()) return name("off its curve: vertex", n.first);
+  }
+  return "";
+}
+
 // The edges of curve c form one chain from its first to its last corner, or one cycle, through
 // its own nodes in the order of their arc lengths.
 std::string chain_problem(const Adaptation_state& s, Index c, const std::vector<Edge>& edges)
 {
   const core::Feature_curve& curve = s.curves[c];
   const Quad_complex& m = s.mesh;
-  std::map<Index, std::vector<Index>> neighbours;
+  Neighbours neighbours;
   for(const Edge& e : edges) {
     neighbours[e.first].push_back(e.second);
     neighbours[e.second].push_back(e.first);
   }
   const bool loop = curve.is_closed() || curve.first_corner == curve.last_corner;
-  for(const auto& n : neighbours) {
-    const bool end = n.first == curve.first_corner || n.first == curve.last_corner;
-    if(n.second.size() != (end && !loop ? 1u : 2u)) return name("branch at vertex", n.first);
-    if(end) continue;
-    const core::Vertex_record& r = m.vertex(n.first);
-    if(r.carrier != Carrier::curve || r.curve != c) return name("strange node", n.first);
-    const double off = std::sqrt((r.p - curve.point(r.param)).squared_length());
-    if(off > 1e-9 * curve.length()) return name("off its curve: vertex", n.first);
-  }
+  const std::string problem = chain_node_problem(s, c, neighbours);
+  if(!problem.empty()) return problem;
   if(edges.empty()) return "no edges";
   const Index start = curve.is_closed() ? edges[0].first : curve.first_corner;
   if(neighbours.count(start) == 0) return "first corner lost";
