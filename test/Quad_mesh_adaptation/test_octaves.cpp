@@ -45,14 +45,6 @@ std::function<double(const Vec&)> uniform(double h)
   return [h](const Vec&) { return h; };
 }
 
-std::size_t irregular_nodes(const Adaptation_state& s)
-{
-  std::size_t count = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && !s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces != 4) ++count;
-  return count;
-}
-
 } // namespace
 
 // A plate of 100 faces and of area 100: as long as 400 are left.
