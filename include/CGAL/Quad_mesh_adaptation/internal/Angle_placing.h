@@ -183,8 +183,7 @@ private:
   static std::vector<Vec> directions(const Vertex_record& r)
   {
     if(r.carrier == Carrier::curve) return { Vec(1, 0, 0), Vec(-1, 0, 0) };
-    const Vec n = r.normal, a = std::abs(n.x()) < 0.6 ? Vec(1, 0, 0) : Vec(0, 1, 0);
-    const Vec x = normalized(cross(n, a)), y = cross(n, x);
+    const auto [x, y] = tangents(r.normal);
     const double c = std::sqrt(0.5);
     return { x, y, -x, -y, c * (x + y), c * (y - x), -c * (x + y), c * (x - y) };
   }

@@ -67,6 +67,14 @@ inline bool is_finite(const Vec& a)
 
 inline Vec face_centre(const Corners& p) { return 0.25 * (p[0] + p[1] + p[2] + p[3]); }
 
+// Two unit vectors across a unit normal and each other, the same for the same normal.
+inline std::array<Vec, 2> tangents(const Vec& normal)
+{
+  const Vec axis = std::abs(normal.x()) < 0.6 ? Vec(1, 0, 0) : Vec(0, 1, 0);
+  const Vec u = normalized(cross(normal, axis));
+  return { u, cross(normal, u) };
+}
+
 // How far a quadrilateral is from plane: the way between the middles of its diagonals, along the
 // normal, over half its mean edge length.
 inline double warp(const Corners& p)
