@@ -26,8 +26,7 @@ Adaptation_state state_with_size(const Shape& shape, double h)
 int largest_number_of_faces(const Adaptation_state& s)
 {
   int most = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v)) most = (std::max)(most, int(s.mesh.vertex(v).faces));
+  for(Index v : s.mesh.vertices()) most = (std::max)(most, int(s.mesh.vertex(v).faces));
   return most;
 }
 
@@ -35,8 +34,8 @@ int largest_number_of_faces(const Adaptation_state& s)
 int slightly_irregular_nodes(const Adaptation_state& s)
 {
   int count = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && !s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces < 8)
+  for(Index v : s.mesh.vertices())
+    if(!s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces < 8)
       count += s.mesh.vertex(v).faces != 4;
   return count;
 }

@@ -56,8 +56,7 @@ void expect_same(const M& mesh, const Adaptation_state& s, const Shape& shape)
   for(const auto& q : after.quads)
     written.insert(points_of(
         { after.points[q[0]], after.points[q[1]], after.points[q[2]], after.points[q[3]] }));
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) wanted.insert(points_of(s.corners(f)));
+  for(Index f : s.mesh.faces()) wanted.insert(points_of(s.corners(f)));
   EXPECT_TRUE(written == wanted);
 }
 

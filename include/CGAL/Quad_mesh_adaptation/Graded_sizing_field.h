@@ -10,7 +10,6 @@
 #include <CGAL/Quad_mesh_adaptation/internal/limit_slope.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
-#include <CGAL/Quad_mesh_adaptation/internal/vertex_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

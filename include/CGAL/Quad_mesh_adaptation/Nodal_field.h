@@ -4,9 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_NODAL_FIELD_H
 #define CGAL_QUAD_MESH_ADAPTATION_NODAL_FIELD_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Values_on_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
-#include <CGAL/Quad_mesh_adaptation/internal/vertex_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 #include <CGAL/Quad_mesh_adaptation/internal/lower_values.h>
-#include <CGAL/Quad_mesh_adaptation/internal/vertex_points.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -7,7 +7,6 @@
 #include <CGAL/Quad_mesh_adaptation/internal/measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
-#include <CGAL/Quad_mesh_adaptation/internal/vertex_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

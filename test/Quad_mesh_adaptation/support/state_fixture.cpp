@@ -47,8 +47,8 @@ Adaptation_state make_state(const Shape& shape, const Options& o)
 std::size_t irregular_nodes(const Adaptation_state& s)
 {
   std::size_t count = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && !s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces != 4) ++count;
+  for(Index v : s.mesh.vertices())
+    if(!s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces != 4) ++count;
   return count;
 }
 

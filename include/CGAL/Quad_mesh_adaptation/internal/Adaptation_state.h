@@ -132,8 +132,7 @@ struct Adaptation_state : Run_record, Sized_mesh
   // Once the sizes come from something else.
   void renew_sizes()
   {
-    for(Index v = 0; v < mesh.vertex_end(); ++v)
-      if(mesh.is_vertex(v)) mesh.vertex(v).h = size.at(mesh.point(v));
+    for(Index v : mesh.vertices()) mesh.vertex(v).h = size.at(mesh.point(v));
     forget_sizes();
   }
 

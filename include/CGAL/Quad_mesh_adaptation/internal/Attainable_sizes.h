@@ -128,8 +128,8 @@ private:
   void find_short_curves()
   {
     const Quad_complex& m = s_.mesh;
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(!m.is_face(m.face(h)) || m.curve(h) < 0) continue;
+    for(Index h : m.halfedges()) {
+      if(m.curve(h) < 0) continue;
       const Feature_curve& c = s_.curves[m.curve(h)];
       const double longest_edge = c.length() / fewest_edges(c);
       lower(m.origin(h), longest_edge);

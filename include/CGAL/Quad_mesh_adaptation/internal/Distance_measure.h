@@ -133,8 +133,8 @@ private:
   void measure_curves()
   {
     const Quad_complex& m = s_.mesh;
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(!m.is_face(m.face(h)) || m.curve(h) < 0 || m.opposite(h) > h) continue;
+    for(Index h : m.halfedges()) {
+      if(m.curve(h) < 0 || m.opposite(h) > h) continue;
       const Feature_curve& c = s_.curves[m.curve(h)];
       const Vec &a = m.point(m.origin(h)), e = m.point(m.target(h)) - a;
       double su, sv, largest = 0;

@@ -4,10 +4,10 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 #include <CGAL/Quad_mesh_adaptation/internal/boxes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
-#include <CGAL/Quad_mesh_adaptation/internal/vertex_points.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>

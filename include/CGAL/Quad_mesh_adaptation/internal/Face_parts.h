@@ -24,8 +24,7 @@ public:
   template <typename Is_link>
   Face_parts(const Quad_topology& m, const Is_link& is_link) : label_(m.face_end(), -1)
   {
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       Index label = -1;
       for(Index h = 4 * f; h < 4 * f + 4; ++h) {
         const Index o = m.opposite(h), g = o < 0 ? f : m.face(o);

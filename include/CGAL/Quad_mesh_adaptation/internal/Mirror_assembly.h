@@ -89,8 +89,8 @@ private:
   // Two faces that share two edges, or two fans of faces at one vertex: -1 if there are none.
   int find_bad_vertex() const
   {
-    for(Index v = 0; v < mesh_.vertex_end(); ++v) {
-      if(!mesh_.is_vertex(v) || touched_[v] == 0) continue;
+    for(Index v : mesh_.vertices()) {
+      if(touched_[v] == 0) continue;
       const int faces = mesh_.vertex(v).faces;
       const bool doublet = faces < 3 && !mesh_.is_border_vertex(v) &&
                            !(v < Index(in_.points.size()) && whole_.mesh.vertex(v).faces == faces);
@@ -102,9 +102,9 @@ private:
   // Nodes of former cuts lie on the surface already; what they miss is their triangle.
   void place_on_surface()
   {
-    for(Index v = 0; v < mesh_.vertex_end(); ++v) {
+    for(Index v : mesh_.vertices()) {
       Vertex_record& r = mesh_.vertex(v);
-      if(!mesh_.is_vertex(v) || r.carrier != Carrier::surface || r.hint >= 0) continue;
+      if(r.carrier != Carrier::surface || r.hint >= 0) continue;
       r.hint = whole_.surface.find(r.p, -1, Vec(0, 0, 0));
       r.normal = whole_.surface.normal(r.hint);
     }

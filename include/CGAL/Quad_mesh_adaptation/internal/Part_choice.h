@@ -59,8 +59,7 @@ private:
   {
     faces_.clear();
     inside_.assign(m.face_end(), 0);
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       const Quad q = m.quad(f);
       if(!std::any_of(q.begin(), q.end(), [&](Index v) { return near_[v]; })) continue;
       inside_[f] = 1;

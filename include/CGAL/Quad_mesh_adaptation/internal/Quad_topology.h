@@ -33,8 +33,10 @@ public:
 
   // sizes of the arrays, deleted records included
   Index face_end() const { return Index(origin_.size() / 4); }
+  Index halfedge_end() const { return Index(origin_.size()); }
   Index vertex_end() const { return Index(vertices_.size()); }
   bool is_face(Index f) const { return origin_[4 * f] >= 0; }
+  bool is_halfedge(Index h) const { return is_face(face(h)); }
   bool is_vertex(Index v) const { return vertices_[v].halfedge >= 0; }
   Index number_of_faces() const { return face_count_; }
 
@@ -50,6 +52,50 @@ public:
   int valence(Index v) const { return vertices_[v].faces + (is_border_vertex(v) ? 1 : 0); }
 
   Index patch(Index f) const { return patch_[f]; }
+
+  // The numbers of records that exist; those of new ones are met as well.
+  template <Index (Quad_topology::*End)() const, bool (Quad_topology::*Exists)(Index) const>
+  class Record_range
+  {
+  public:
+    class iterator
+    {
+    public:
+      iterator(const Quad_topology* mesh, Index i) : mesh_(mesh), i_(i) { skip_deleted(); }
+      Index operator*() const { return i_; }
+      iterator& operator++()
+      {
+        ++i_;
+        skip_deleted();
+        return *this;
+      }
+      bool operator!=(const iterator&) const { return is_inside(); } // asked of the end only
+
+    private:
+      bool is_inside() const { return i_ < (mesh_->*End)(); }
+      void skip_deleted()
+      {
+        while(is_inside() && !(mesh_->*Exists)(i_)) ++i_;
+      }
+
+      const Quad_topology* mesh_;
+      Index i_;
+    };
+
+    explicit Record_range(const Quad_topology* mesh) : mesh_(mesh) {}
+    iterator begin() const { return { mesh_, 0 }; }
+    iterator end() const { return { mesh_, (mesh_->*End)() }; }
+
+  private:
+    const Quad_topology* mesh_;
+  };
+  using Face_range = Record_range<&Quad_topology::face_end, &Quad_topology::is_face>;
+  using Halfedge_range = Record_range<&Quad_topology::halfedge_end, &Quad_topology::is_halfedge>;
+  using Vertex_range = Record_range<&Quad_topology::vertex_end, &Quad_topology::is_vertex>;
+
+  Face_range faces() const { return Face_range(this); }
+  Halfedge_range halfedges() const { return Halfedge_range(this); }
+  Vertex_range vertices() const { return Vertex_range(this); }
 
   // Half-edges around a node, found on the way: all that leave it counter-clockwise from `first`,
   // up to the border.

@@ -83,8 +83,7 @@ private:
   void check_umbrellas() const
   {
     const Quad_complex& m = s_.mesh;
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      if(!m.is_vertex(v)) continue;
+    for(Index v : m.vertices()) {
       if(m.outgoing(v).size() != m.vertex(v).faces)
         throw Refused{ Refusal::non_manifold, "joins parts of the mesh that share no edge there",
                        -1, v };
@@ -131,9 +130,9 @@ private:
     s_.surface = Reference_surface(reference.points, reference.triangles, match.sharp());
     if(!s_.surface.is_planar()) match_patches();
     lift_surface(match.edges(), geometry);
-    for(Index v = 0; v < m.vertex_end(); ++v) {
+    for(Index v : m.vertices()) {
       Vertex_record& r = m.vertex(v);
-      if(!m.is_vertex(v) || r.carrier != Carrier::surface || s_.surface.is_planar()) continue;
+      if(r.carrier != Carrier::surface || s_.surface.is_planar()) continue;
       Vec n(0, 0, 0);
       for(Index h : m.outgoing(v)) n = n + area_vector(s_.corners(m.face(h)));
       r.hint = s_.surface.find(r.p, s_.reference_patch[m.patch(m.face(r.halfedge))], n);
@@ -193,8 +192,7 @@ private:
   void place_nodes(bool is_own)
   {
     Quad_complex& m = s_.mesh;
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      if(!m.is_vertex(v)) continue;
+    for(Index v : m.vertices()) {
       Vertex_record& r = m.vertex(v);
       const Vec given = r.p;
       if(is_own && s_.is_own_vertex(v) && has_corner(r.hint, v)) {
@@ -219,8 +217,7 @@ private:
   void set_ideal_valences()
   {
     Quad_complex& m = s_.mesh;
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      if(!m.is_vertex(v)) continue;
+    for(Index v : m.vertices()) {
       Vertex_record& r = m.vertex(v);
       const bool border = m.is_border_vertex(v);
       r.ideal_faces = border ? 2 : 4;

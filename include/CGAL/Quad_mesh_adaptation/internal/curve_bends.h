@@ -50,8 +50,8 @@ inline std::vector<Curve_bend> bends_of(const Feature_curve& c)
 
 inline void release_bends(Adaptation_state& s)
 {
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && is_held_at_bend(s.mesh.vertex(v))) s.mesh.vertex(v).frozen = false;
+  for(Index v : s.mesh.vertices())
+    if(is_held_at_bend(s.mesh.vertex(v))) s.mesh.vertex(v).frozen = false;
 }
 
 class Curve_bends
@@ -62,10 +62,9 @@ public:
     if(s.curve_lift) return; // the polyline is not what the nodes are on
     for(std::size_t c = 0; c < bends_.size(); ++c)
       if(!s.curves[c].is_frozen() && !s.curves[c].is_cut) bends_[c] = bends_of(s.curves[c]);
-    for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
+    for(Index v : s.mesh.vertices()) {
       const Vertex_record& r = s.mesh.vertex(v);
-      if(s.mesh.is_vertex(v) && r.carrier == Carrier::curve && !bends_[r.curve].empty())
-        nodes_[r.curve].push_back(v);
+      if(r.carrier == Carrier::curve && !bends_[r.curve].empty()) nodes_[r.curve].push_back(v);
     }
     for(std::vector<Index>& nodes : nodes_)
       std::sort(nodes.begin(), nodes.end(), [&](Index u, Index v) { return param(u) < param(v); });

@@ -6,7 +6,9 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -18,6 +20,14 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
+
+// The parameter `vertex_point_map` or, by default, the internal map of the mesh.
+template <class Graph, class NP>
+auto vertex_points(const Graph& mesh, const NP& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(vertex_point, mesh));
+}
 
 // The points of a mesh in its order; calls `add(numbers of the corners)` for each of its faces.
 template <class Mesh, class PointMap, class Add>

@@ -109,8 +109,8 @@ inline bool is_poorer_than_need_be(const Adaptation_state& s, Index f)
 inline std::vector<Poor_face> poor_shapes(const Adaptation_state& s, double floor)
 {
   std::vector<Poor_face> list;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && is_jacobian_below(s.corners(f), floor)) {
+  for(Index f : s.mesh.faces())
+    if(is_jacobian_below(s.corners(f), floor)) {
       list.push_back(shape_limit(s, f, floor));
       list.back().face = std::size_t(f);
     }

@@ -25,8 +25,7 @@ public:
   explicit Cell_number(const Quad_complex& m)
   {
     Box box;
-    for(Index v = 0; v < m.vertex_end(); ++v)
-      if(m.is_vertex(v)) box.add(m.point(v));
+    for(Index v : m.vertices()) box.add(m.point(v));
     low_ = box.low;
     const double longest = box.longest_side();
     scale_ = longest > 0 ? cells / longest : 0.;
@@ -67,8 +66,7 @@ inline std::vector<std::uint64_t> breadth_first_places(const Quad_complex& m)
     order.push_back(f);
     place[f] = order.size();
   };
-  for(Index start = 0; start < m.face_end(); ++start) {
-    if(!m.is_face(start)) continue;
+  for(Index start : m.faces()) {
     std::size_t next = order.size();
     for(reach(start); next < order.size(); ++next)
       for(Index h = 4 * order[next]; h < 4 * order[next] + 4; ++h)
@@ -96,8 +94,7 @@ inline std::vector<Index> spatial_order(const Quad_complex& m)
   std::vector<std::pair<std::uint64_t, Index>> keys;
   keys.reserve(m.number_of_faces());
   std::vector<Index> order(m.number_of_faces(), -1);
-  for(Index f = 0; f < m.face_end(); ++f) {
-    if(!m.is_face(f)) continue;
+  for(Index f : m.faces()) {
     const Quad q = m.quad(f);
     if(f < Index(order.size()) && is_of_input(m, f))
       order[f] = f;
