@@ -4,9 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PART_CHOICE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PART_CHOICE_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_bend.h>
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
-#include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,6 +9,7 @@
 // the input that sit there are held there; where the edges are short against those of the polyline,
 // the nearest nodes are moved there before the end.
 
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_bend.h>
 #include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 
@@ -20,33 +21,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-struct Curve_bend
-{
-  double arc;                  // where on the curve
-  double shorter, mean_length; // of the two edges of the polyline
-  double turn;                 // radians
-
-  // The share of its length that the curve loses at worst if edges as long as h pass it by.
-  double loss(double h) const { return turn * turn / 8 * (std::min)(1., h / mean_length); }
-};
-
-constexpr double curve_loss_allowed = 7e-4;
-
-// The bends of a curve that cost more than they may if nodes pass them by.
-inline std::vector<Curve_bend> bends_of(const Feature_curve& c)
-{
-  const std::vector<Vec>& p = c.points();
-  const std::size_t n = p.size() - 1;
-  std::vector<Curve_bend> bends;
-  for(std::size_t i = c.is_closed() ? 0 : 1; i < n; ++i) {
-    const Vec a = p[i] - p[i == 0 ? n - 1 : i - 1], b = p[i + 1] - p[i];
-    const double turn = angle_between(a, b), la = norm(a), lb = norm(b);
-    if(turn * turn / 8 > curve_loss_allowed)
-      bends.push_back({ c.arcs()[i], (std::min)(la, lb), 0.5 * (la + lb), turn });
-  }
-  return bends;
-}
 
 inline void release_bends(Adaptation_state& s)
 {

@@ -4,7 +4,8 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CURVE_LENGTHS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CURVE_LENGTHS_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_bend.h>
 
 #include <cstddef>
 #include <vector>

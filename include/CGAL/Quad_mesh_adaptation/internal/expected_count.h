@@ -6,7 +6,8 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Attainable_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
-#include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
+#include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
 #include <cmath>

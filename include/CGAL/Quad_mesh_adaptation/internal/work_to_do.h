@@ -158,9 +158,6 @@ inline bool are_many_too_small(const Adaptation_state& s, const std::vector<Inde
   return double(below) > few * double(work.size());
 }
 
-// So many rings of faces about those are worked on.
-constexpr int rings_to_work_on = 8;
-
 // Where that is so all else is left alone, so that a small change costs little.  Tells whether it
 // is so.
 inline bool stay_near_work(Adaptation_state& s)
