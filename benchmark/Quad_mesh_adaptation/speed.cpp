@@ -138,6 +138,56 @@ void measure(const std::vector<Shape>& shapes, const std::vector<Task>& tasks, i
   write(folder + "/fig/speed_memory.svg", memory_plot(results, names).svg());
 }
 
+struct Options
+{
+  std::string folder, memory_task;
+  std::vector<std::string> only;
+  int most_runs = 5;
+  bool is_large = false;
+
+  bool is_child() const { return !memory_task.empty(); }
+  bool wants(const Task& t) const
+  {
+    if(is_child()) return t.name() == memory_task;
+    return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& text) {
+             return t.name().find(text) != std::string::npos;
+           });
+  }
+};
+
+void describe(CLI::App& app, Options& o)
+{
+  app.add_option("FOLDER", o.folder, "Where speed.md and fig/speed_*.svg go");
+  app.add_flag("--large", o.is_large, "Up to 1e7 faces instead of 1e5");
+  app.add_option("--only", o.only, "Only tasks whose name holds this, or one of these")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--runs", o.most_runs, "At most so many runs of a task")
+      ->check(CLI::Range(1, 100));
+  app.add_option("--memory", o.memory_task, "Print the peak of memory of this task, nothing else");
+}
+
+void run(const Options& o)
+{
+  const std::string scratch = std::filesystem::temp_directory_path().string() +
+                              "/quad_mesh_speed_" + std::to_string(getpid());
+  std::filesystem::create_directories(scratch);
+  const std::vector<Shape> shapes = all_shapes();
+  std::vector<Task> tasks = all_tasks(shapes, o.is_large || o.is_child() ? 7 : 5, scratch);
+  if(!o.is_child() && !has_gmsh(scratch)) std::cerr << "gmsh is not on the PATH: left out\n";
+  tasks.erase(
+      std::remove_if(tasks.begin(), tasks.end(), [&](const Task& t) { return !o.wants(t); }),
+      tasks.end());
+  if(tasks.empty()) throw std::runtime_error("there is no such task");
+  if(o.is_child())
+    print_memory(tasks.front());
+  else if(o.folder.empty())
+    throw std::runtime_error("no folder for the report is given");
+  else
+    measure(shapes, tasks, o.most_runs, o.folder, scratch);
+  std::filesystem::remove_all(scratch);
+}
+
 int main(int argc, char** argv)
 {
   // runs of different tasks take turns, so that a busy machine is so for all of them
@@ -149,43 +199,11 @@ int main(int argc, char** argv)
   benchmark::Initialize(&count, arguments.data());
 
   CLI::App app("Times adaptation, refinement, coarsening and their peers, and writes a report.");
-  std::string folder, memory_task;
-  std::vector<std::string> only;
-  int most_runs = 5;
-  bool is_large = false;
-  app.add_option("FOLDER", folder, "Where speed.md and fig/speed_*.svg go");
-  app.add_flag("--large", is_large, "Up to 1e7 faces instead of 1e5");
-  app.add_option("--only", only, "Only tasks whose name holds this, or one of these")
-      ->expected(1)
-      ->take_all();
-  app.add_option("--runs", most_runs, "At most so many runs of a task")->check(CLI::Range(1, 100));
-  app.add_option("--memory", memory_task, "Print the peak of memory of this task, nothing else");
+  Options options;
+  describe(app, options);
   CLI11_PARSE(app, count, arguments.data());
   try {
-    const std::string scratch = std::filesystem::temp_directory_path().string() +
-                                "/quad_mesh_speed_" + std::to_string(getpid());
-    std::filesystem::create_directories(scratch);
-    const std::vector<Shape> shapes = all_shapes();
-    const bool is_child = !memory_task.empty();
-    std::vector<Task> tasks = all_tasks(shapes, is_large || is_child ? 7 : 5, scratch);
-    if(!is_child && !has_gmsh(scratch)) std::cerr << "gmsh is not on the PATH: left out\n";
-    const auto is_wanted = [&](const Task& t) {
-      if(is_child) return t.name() == memory_task;
-      return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& text) {
-               return t.name().find(text) != std::string::npos;
-             });
-    };
-    tasks.erase(
-        std::remove_if(tasks.begin(), tasks.end(), [&](const Task& t) { return !is_wanted(t); }),
-        tasks.end());
-    if(tasks.empty()) throw std::runtime_error("there is no such task");
-    if(is_child)
-      print_memory(tasks.front());
-    else if(folder.empty())
-      throw std::runtime_error("no folder for the report is given");
-    else
-      measure(shapes, tasks, most_runs, folder, scratch);
-    std::filesystem::remove_all(scratch);
+    run(options);
   } catch(const std::exception& error) {
     std::cerr << "speed: " << error.what() << '\n';
     return EXIT_FAILURE;

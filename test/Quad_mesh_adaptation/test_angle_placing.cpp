@@ -42,16 +42,15 @@ Shape wedge(double x_of_node)
 std::size_t number_unexcused(const Adaptation_state& s)
 {
   std::size_t n = 0;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && core::is_unexcused(s, f)) ++n;
+  for(Index f : s.mesh.faces())
+    if(core::is_unexcused(s, f)) ++n;
   return n;
 }
 
 void place_all(Adaptation_state& s)
 {
   core::Angle_placing place(s);
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) place(f);
+  for(Index f : s.mesh.faces()) place(f);
 }
 
 } // namespace

@@ -26,6 +26,7 @@ using more_shapes::Index;
 using more_shapes::Shape;
 using more_shapes::Vec;
 using usual_mesh::Mesh;
+using usual_mesh::mesh_of;
 using usual_mesh::Point;
 
 // A unit sphere with a thorn of length 1.2 at its north pole.
@@ -39,8 +40,6 @@ Shape thorn(Index n)
   }
   return s;
 }
-
-Mesh mesh_of(const Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
 
 template <typename NP>
 QMA::Adaptation_report adapt(Mesh& mesh, double size, const NP& np)

@@ -30,10 +30,9 @@ using shape_zoo::pi;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
 using usual_mesh::Mesh;
+using usual_mesh::mesh_of;
 using usual_mesh::Point;
 using usual_mesh::Size;
-
-Mesh mesh_of(const Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
 
 // Tube of radius 1 around a circle of radius 3, the whole of it or an open piece.
 Shape torus(Index around, Index along)

@@ -150,8 +150,7 @@ TEST(Crease_sides, CountedByPatch)
 {
   Adaptation_state s = rim_state(1);
   int even = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-    if(!s.mesh.is_vertex(v)) continue;
+  for(Index v : s.mesh.vertices()) {
     const core::Vertex_record& r = s.mesh.vertex(v);
     const int d = core::side_difference(s, v);
     if(r.carrier != Carrier::curve) {

@@ -77,8 +77,7 @@ TEST(Local_detours, RelieveCrowdedNodesInTheEnd)
 {
   const auto too_many = [](const Adaptation_state& s) {
     int faces = 0;
-    for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-      if(s.mesh.is_vertex(v)) faces += core::faces_too_many(s, v);
+    for(Index v : s.mesh.vertices()) faces += core::faces_too_many(s, v);
     return faces;
   };
   int before = 0, after = 0;

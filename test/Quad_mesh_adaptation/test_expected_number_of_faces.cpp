@@ -23,19 +23,10 @@ namespace QMA = CGAL::Quad_mesh_adaptation;
 namespace {
 
 using usual_mesh::Mesh;
+using usual_mesh::mesh_of;
 using usual_mesh::Point;
+using usual_mesh::read_mesh;
 using usual_mesh::Size;
-
-Mesh mesh_of(const shape_zoo::Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
-
-Mesh read(const std::string& name)
-{
-  Mesh mesh;
-  const auto result =
-      QMA::read_quad_mesh(std::string(QUAD_MESH_DATA_DIR "/meshes/") + name + ".off", mesh);
-  EXPECT_TRUE(result.ok()) << result.message;
-  return mesh;
-}
 
 double mean_edge(const Mesh& mesh) { return zoo_mesh::mean_edge(zoo_mesh::shape_of(mesh)); }
 
@@ -137,7 +128,7 @@ TEST(Expected_number_of_faces, OfARegion)
 // Fingers, toes and ears that are thinner than the size, and many short creases.
 TEST(Expected_number_of_faces, OfABodyInFewFaces)
 {
-  const Mesh body = read("makehuman_body");
+  const Mesh body = read_mesh("makehuman_body");
   const Point p0 = body.point(target(halfedge(*body.faces().begin(), body), body));
   const double edge = mean_edge(body);
   expect_near(
@@ -150,14 +141,14 @@ TEST(Expected_number_of_faces, OfRefinements)
 {
   const Mesh torus = mesh_of(shape_zoo::torus()), sphere = mesh_of(shape_zoo::sphere()),
              cube = mesh_of(shape_zoo::cube()), disk = mesh_of(shape_zoo::disk()),
-             icf = read("icf");
+             icf = read_mesh("icf");
   expect_near("torus, 0.4", torus, uniform(0.4 * mean_edge(torus)));
   expect_near("sphere, graded", sphere, [](const Point& p) { return 0.05 + 0.08 * (1 + p.z()); });
   expect_near("cube, 0.24", cube, uniform(0.24 * mean_edge(cube)));
   expect_near("disk, graded", disk,
               [](const Point& p) { return 0.1 + 0.2 * std::hypot(p.x(), p.y()); });
   expect_near("icf, half", icf, uniform(0.5 * mean_edge(icf)));
-  const Mesh annulus = mesh_of(shape_zoo::annulus(36, 5)), pawn = read("pawn");
+  const Mesh annulus = mesh_of(shape_zoo::annulus(36, 5)), pawn = read_mesh("pawn");
   expect_near("annulus, linear", annulus,
               [](const Point& p) { return 0.07 + 0.03 * std::abs(p.x()); });
   expect_near("pawn, 0.8", pawn, uniform(0.8 * mean_edge(pawn)));
@@ -167,7 +158,7 @@ TEST(Expected_number_of_faces, OfCoarsenings)
 {
   const Mesh disk = mesh_of(shape_zoo::disk(12, 9)), torus = mesh_of(shape_zoo::torus()),
              sphere = mesh_of(shape_zoo::sphere(12)),
-             ellipse = read("rotated_ellipse_with_subregions");
+             ellipse = read_mesh("rotated_ellipse_with_subregions");
   expect_near("disk, three times", disk, uniform(3 * mean_edge(disk)));
   const double edge = mean_edge(torus);
   expect_near("torus, graded", torus,

@@ -26,6 +26,7 @@ using shape_zoo::Shape;
 using shape_zoo::Vec;
 using usual_mesh::Mesh;
 using usual_mesh::Point;
+using usual_mesh::read_shape;
 
 // Side of a cone cut off at both ends, with flat ends.
 Shape cone(Index n)
@@ -39,17 +40,6 @@ Shape cone(Index n)
 Shape box()
 {
   return shape_zoo::voxels("box", { 6, 4, 3 }, [](Index, Index, Index) { return true; });
-}
-
-Shape read(const std::string& name)
-{
-  Mesh mesh;
-  const auto result =
-      QMA::read_quad_mesh(std::string(QUAD_MESH_DATA_DIR "/meshes/") + name + ".off", mesh);
-  EXPECT_TRUE(result.ok()) << result.message;
-  Shape s = zoo_mesh::shape_of(mesh);
-  s.name = name;
-  return s;
 }
 
 struct Marked
@@ -127,10 +117,10 @@ TEST(Features_kept, OnMeshesByOthers)
 {
   for(const char* name : { "box_cylinder", "cylinder_hex", "icf", "pawn",
                            "rotated_ellipse_with_subregions", "spot", "star" }) {
-    const Shape s = read(name);
+    const Shape s = read_shape(name);
     for(double factor : { 0.7, 0.85, 2. }) expect_kept(s, factor);
   }
-  const Shape body = read("makehuman_body");
+  const Shape body = read_shape("makehuman_body");
   for(double factor : { 2., 4. }) expect_kept(body, factor);
 }
 
@@ -144,9 +134,9 @@ TEST(Features_kept, ThoseThatHoldFacesSmallAreTold)
       text += a;
     return text;
   };
-  const std::string told = advice(read("box_cylinder"), 4);
+  const std::string told = advice(read_shape("box_cylinder"), 4);
   EXPECT_NE(told.find("are smaller than half their size"), std::string::npos) << told;
   EXPECT_NE(told.find("larger feature angle"), std::string::npos) << told;
-  EXPECT_EQ(advice(read("box_cylinder"), 0.5), "");
+  EXPECT_EQ(advice(read_shape("box_cylinder"), 0.5), "");
   EXPECT_EQ(advice(box(), 0.7), "");
 }

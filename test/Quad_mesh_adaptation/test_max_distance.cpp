@@ -24,17 +24,7 @@ using shape_zoo::Shape;
 using shape_zoo::Vec;
 using usual_mesh::Mesh;
 using usual_mesh::Point;
-
-Shape read(const std::string& name)
-{
-  Mesh mesh;
-  const auto result =
-      QMA::read_quad_mesh(std::string(QUAD_MESH_DATA_DIR "/meshes/") + name + ".off", mesh);
-  EXPECT_TRUE(result.ok()) << result.message;
-  Shape s = zoo_mesh::shape_of(mesh);
-  s.name = name;
-  return s;
-}
+using usual_mesh::read_shape;
 
 // Cut either way: at least as near as the way that counts.
 double off_shape(const Vec& p, const Quad_distances& of)
@@ -91,7 +81,7 @@ TEST(Max_distance, OnShapes)
 TEST(Max_distance, OnMeshesByOthers)
 {
   for(const char* name : { "spot", "pawn", "cylinder_hex", "box_cylinder" })
-    expect_within(read(name), 2, 0.1);
+    expect_within(read_shape(name), 2, 0.1);
 }
 
 // A bound that asks for nothing changes little, and one that does takes more faces.

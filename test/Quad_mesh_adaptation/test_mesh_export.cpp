@@ -29,6 +29,37 @@ using usual_mesh::Point;
 using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
 using shape_zoo::Shape;
 
+// The coordinates of a face, from whichever corner comes first.
+std::vector<double> points_of(const core::Corners& p)
+{
+  std::vector<double> least;
+  for(std::size_t first = 0; first < 4; ++first) {
+    std::vector<double> r;
+    for(std::size_t i = 0; i < 4; ++i)
+      for(int k = 0; k < 3; ++k) r.push_back(p[(first + i) % 4][k]);
+    if(least.empty() || r < least) least = r;
+  }
+  return least;
+}
+
+// Is the graph what the state is, with the topology of `shape`?
+template <typename M>
+void expect_same(const M& mesh, const Adaptation_state& s, const Shape& shape)
+{
+  ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  const Shape after = zoo_mesh::shape_of(mesh);
+  const mesh_checks::Facts facts = mesh_checks::facts_of(after.points, after.quads);
+  EXPECT_EQ(facts.problem, "");
+  EXPECT_TRUE(mesh_checks::same_topology(mesh_checks::facts_of(shape.points, shape.quads), facts));
+  EXPECT_EQ(facts.faces, std::size_t(s.mesh.number_of_faces()));
+  std::multiset<std::vector<double>> written, wanted;
+  for(const auto& q : after.quads)
+    written.insert(points_of(
+        { after.points[q[0]], after.points[q[1]], after.points[q[2]], after.points[q[3]] }));
+  for(Index f : s.mesh.faces()) wanted.insert(points_of(s.corners(f)));
+  EXPECT_TRUE(written == wanted);
+}
+
 // Imports, lets `change` work on the state, exports, and compares the graph with the state.
 template <typename M>
 void import_change_export(const Shape& shape, double feature_angle, const std::set<Index>& frozen,
@@ -59,32 +90,7 @@ void import_change_export(const Shape& shape, double feature_angle, const std::s
                                                                         descriptors, used_up);
   write();
 
-  ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
-  const Shape after = zoo_mesh::shape_of(mesh);
-  const mesh_checks::Facts facts = mesh_checks::facts_of(after.points, after.quads);
-  EXPECT_EQ(facts.problem, "");
-  EXPECT_TRUE(mesh_checks::same_topology(mesh_checks::facts_of(shape.points, shape.quads), facts));
-  EXPECT_EQ(facts.faces, std::size_t(s.mesh.number_of_faces()));
-  std::multiset<std::vector<double>> written, wanted;    // the faces by their points
-  const auto row = [](const std::vector<core::Vec>& p) { // from whichever corner comes first
-    std::vector<double> least;
-    for(std::size_t first = 0; first < 4; ++first) {
-      std::vector<double> r;
-      for(std::size_t i = 0; i < 4; ++i)
-        for(int k = 0; k < 3; ++k) r.push_back(p[(first + i) % 4][k]);
-      if(least.empty() || r < least) least = r;
-    }
-    return least;
-  };
-  for(const auto& q : after.quads)
-    written.insert(
-        row({ after.points[q[0]], after.points[q[1]], after.points[q[2]], after.points[q[3]] }));
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) {
-      const core::Corners c = s.corners(f);
-      wanted.insert(row({ c[0], c[1], c[2], c[3] }));
-    }
-  EXPECT_TRUE(written == wanted);
+  expect_same(mesh, s, shape);
 }
 
 // Random operations, whatever the shape of the faces.

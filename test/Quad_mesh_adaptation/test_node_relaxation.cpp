@@ -66,8 +66,7 @@ struct Random
 void shake(Adaptation_state& s, Random& random, double share)
 {
   std::vector<Index> out;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-    if(!s.mesh.is_vertex(v)) continue;
+  for(Index v : s.mesh.vertices()) {
     Vertex_record& r = s.mesh.vertex(v);
     if(r.frozen || r.carrier == Carrier::corner) continue;
     double reach = 1e9;
@@ -198,8 +197,7 @@ TEST(Node_relaxation, NeverWorseNeverOffItsCarrier)
       shake(s, random, share);
       Node_relaxation relax(s);
       for(int sweep = 0; sweep < 3; ++sweep)
-        for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-          if(!s.mesh.is_vertex(v)) continue;
+        for(Index v : s.mesh.vertices()) {
           Vertex_record& r = s.mesh.vertex(v);
           const Vertex_record old = r;
           core::gather_star(s, v, relax.star());

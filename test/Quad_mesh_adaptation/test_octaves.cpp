@@ -45,14 +45,6 @@ std::function<double(const Vec&)> uniform(double h)
   return [h](const Vec&) { return h; };
 }
 
-std::size_t irregular_nodes(const Adaptation_state& s)
-{
-  std::size_t count = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && !s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces != 4) ++count;
-  return count;
-}
-
 } // namespace
 
 // A plate of 100 faces and of area 100: as long as 400 are left.
@@ -120,8 +112,7 @@ TEST(Octaves, HalvingKeepsThePattern)
     SCOPED_TRACE(shape.name);
     Adaptation_state s = make_state(
         shape, with_sizes([](const Vec& p) { return 0.5 + 0.01 * std::abs(p.x() - p.y()); }));
-    for(Index f = 0; f < s.mesh.face_end(); ++f)
-      if(s.mesh.is_face(f)) s.size_ratio(f);
+    for(Index f : s.mesh.faces()) s.size_ratio(f);
     const Index faces = s.mesh.number_of_faces();
     const std::size_t irregular = irregular_nodes(s);
     core::halve_all(s);
@@ -129,12 +120,10 @@ TEST(Octaves, HalvingKeepsThePattern)
     EXPECT_EQ(irregular_nodes(s), irregular);
     EXPECT_EQ(state_checks::halfedge_problem(s.mesh), "");
     EXPECT_EQ(s.size.scale(), 0.5);
-    for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-      if(s.mesh.is_vertex(v)) {
-        EXPECT_NEAR(s.mesh.vertex(v).h, s.size.at(s.mesh.point(v)), 1e-12);
-      }
-    for(Index f = 0; f < s.mesh.face_end(); ++f) {
-      if(!s.mesh.is_face(f)) continue;
+    for(Index v : s.mesh.vertices()) {
+      EXPECT_NEAR(s.mesh.vertex(v).h, s.size.at(s.mesh.point(v)), 1e-12);
+    }
+    for(Index f : s.mesh.faces()) {
       const core::Corners p = s.corners(f);
       EXPECT_NEAR(s.size_ratio(f), core::mean_edge_length(p) / s.size.at_face(p), 1e-12);
     }
@@ -169,8 +158,8 @@ TEST(Octaves, FewFacesAreCut)
   const auto longer_than = [corner](double length, double radius) {
     return [=](const Adaptation_state& s) {
       std::vector<Index> faces;
-      for(Index f = 0; f < s.mesh.face_end(); ++f) {
-        if(!s.mesh.is_face(f) || core::mean_edge_length(s.corners(f)) <= length) continue;
+      for(Index f : s.mesh.faces()) {
+        if(core::mean_edge_length(s.corners(f)) <= length) continue;
         const core::Corners p = s.corners(f);
         if(std::any_of(p.begin(), p.end(),
                        [&](const Vec& q) { return core::distance(q, corner) <= radius; }))

@@ -38,8 +38,7 @@ Counts count(const Quad_complex& m)
 {
   Counts c;
   for(Index v = 0; v < m.vertex_end(); ++v) c.vertices += m.is_vertex(v);
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
+  for(Index h : m.halfedges()) {
     c.faces += (h & 3) == 0;
     c.border_edges += m.is_border(h);
   }

@@ -117,8 +117,7 @@ TEST(Paper_schedule, RefinesTheFacesAsked)
     EXPECT_VALID_STATE(s, before, true);
     // every edge of the region has a node in its middle
     std::set<std::pair<double, double>> points;
-    for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-      if(s.mesh.is_vertex(v)) points.insert({ s.mesh.point(v).x(), s.mesh.point(v).y() });
+    for(Index v : s.mesh.vertices()) points.insert({ s.mesh.point(v).x(), s.mesh.point(v).y() });
     for(Index f : region) {
       const core::Corners p = old.corners(f);
       for(int i = 0; i < 4; ++i) {
@@ -162,10 +161,9 @@ TEST(Paper_schedule, SizesAfterBoundaryCoarsening)
   ASSERT_GT(core::coarsen_boundary(s), 0u);
   Adaptation_state fresh = s;
   fresh.forget_sizes();
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) {
-      EXPECT_EQ(s.size_ratio(f), fresh.size_ratio(f)) << "face " << f;
-    }
+  for(Index f : s.mesh.faces()) {
+    EXPECT_EQ(s.size_ratio(f), fresh.size_ratio(f)) << "face " << f;
+  }
 }
 
 // A closed border has no end to walk to.

@@ -28,6 +28,7 @@ using shape_zoo::Shape;
 using shape_zoo::Vec;
 using usual_mesh::Mesh;
 using usual_mesh::Point;
+using usual_mesh::read_shape;
 
 // Kite with n x n faces: the given angle at the origin, about a right one at the other three.
 Shape kite(Index n, double degrees)
@@ -38,17 +39,6 @@ Shape kite(Index n, double degrees)
     const double u = double(i) / n, v = double(j) / n;
     return u * (1 - v) * a + (1 - u) * v * b + u * v * c;
   });
-}
-
-Shape read(const std::string& name)
-{
-  Mesh mesh;
-  const auto result =
-      QMA::read_quad_mesh(std::string(QUAD_MESH_DATA_DIR "/meshes/") + name + ".off", mesh);
-  EXPECT_TRUE(result.ok()) << result.message;
-  Shape s = zoo_mesh::shape_of(mesh);
-  s.name = name;
-  return s;
 }
 
 // What the list of poor faces says must be true of the mesh.
@@ -123,7 +113,7 @@ TEST(Quality_floor, HoldsOnEveryShape)
 TEST(Quality_floor, HoldsOnRealMeshes)
 {
   for(const char* name : { "box_cylinder", "cylinder_hex", "pawn", "star" })
-    for(double factor : { 0.5, 0.8, 2., 5. }) expect_good_shapes(read(name), factor);
+    for(double factor : { 0.5, 0.8, 2., 5. }) expect_good_shapes(read_shape(name), factor);
 }
 
 // Where a row of faces passes a bend of a rim, one face has a flat angle there.
@@ -134,7 +124,7 @@ TEST(Quality_floor, HoldsOnSmallRims)
 }
 
 // Between the features of fingers and toes, in a mesh that is too large to be copied often.
-TEST(Quality_floor, HoldsInFolds) { expect_good_shapes(read("makehuman_body"), 2); }
+TEST(Quality_floor, HoldsInFolds) { expect_good_shapes(read_shape("makehuman_body"), 2); }
 
 // A regular mesh that is a little too large everywhere must not get irregular nodes everywhere.
 TEST(Quality_floor, AlmostFineEnoughStaysRegular)

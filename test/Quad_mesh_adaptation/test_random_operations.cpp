@@ -168,8 +168,7 @@ TEST(Random_operations, KnownSizesOfFacesAreThoseOfNow)
           return h * (1.2 + 0.3 * std::sin(p.x() / h) + 0.2 * std::cos((p.y() - p.z()) / h));
         },
         0);
-    for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-      if(s.mesh.is_vertex(v)) s.mesh.vertex(v).h = s.size.at(s.mesh.point(v));
+    for(Index v : s.mesh.vertices()) s.mesh.vertex(v).h = s.size.at(s.mesh.point(v));
     s.forget_values();
     Walk walk(s, seed);
     for(int i = 0; i < 30; ++i) {

@@ -38,14 +38,6 @@ Options of_size(double size)
   return o;
 }
 
-std::size_t irregular_nodes(const Adaptation_state& s)
-{
-  std::size_t count = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && !s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces != 4) ++count;
-  return count;
-}
-
 } // namespace
 
 // A plate of 20 rows needs n of them; it gets few more.

@@ -27,10 +27,9 @@ using shape_zoo::Index;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
 using usual_mesh::Mesh;
+using usual_mesh::mesh_of;
 using usual_mesh::Point;
 using usual_mesh::Size;
-
-Mesh mesh_of(const Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
 
 const double nan_value = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();

@@ -62,8 +62,7 @@ Promise promise_of(const Quad_complex& m, const std::vector<char>& split)
 {
   Promise p;
   p.corners.assign(m.vertex_end(), 0);
-  for(Index f = 0; f < m.face_end(); ++f) {
-    if(!m.is_face(f)) continue;
+  for(Index f : m.faces()) {
     for(Index h = 4 * f; h < 4 * f + 4; ++h)
       if(split[h] && (m.opposite(h) < h)) ++p.vertices;
     const int marks = number_of_marks(split, f);
@@ -90,8 +89,7 @@ void expect_promise(const Quad_complex& before, const Quad_complex& after, const
   long vertices = 0;
   for(Index v = 0; v < after.vertex_end(); ++v) vertices += after.is_vertex(v);
   EXPECT_EQ(vertices - long(vertices_before), p.vertices);
-  for(Index v = 0; v < before.vertex_end(); ++v) {
-    if(!before.is_vertex(v)) continue;
+  for(Index v : before.vertices()) {
     EXPECT_EQ(after.vertex(v).faces - before.vertex(v).faces, p.corners[v]) << "vertex " << v;
     EXPECT_EQ(after.point(v), before.point(v)) << "vertex " << v;
   }

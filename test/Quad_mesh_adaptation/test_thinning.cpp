@@ -32,14 +32,6 @@ Adaptation_state fine_state(const Shape& shape, double size, double feature_angl
   return make_state(shape, o);
 }
 
-std::size_t irregular_nodes(const Adaptation_state& s)
-{
-  std::size_t count = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && !s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces != 4) ++count;
-  return count;
-}
-
 void expect_sound(const Adaptation_state& s, const state_checks::Snapshot& before)
 {
   EXPECT_EQ(state_checks::problem_of(s, before, true), "");

@@ -125,6 +125,22 @@ inline void describe_error(CLI::App& app, Options& options, CLI::Option* error)
       ->capture_default_str();
 }
 
+inline void describe_size_bounds(CLI::App& app, Options& options)
+{
+  app.add_option("--min-size", options.smallest_size,
+                 "Sizes below H are raised to H; edges come out somewhat shorter")
+      ->type_name("H")
+      ->check(number_from(0));
+  app.add_option("--max-size", options.largest_size, "Sizes above H are lowered to H")
+      ->type_name("H")
+      ->check(number_from(0));
+  app.add_option("--gradation", options.gradation,
+                 "Let the size grow by at most G per unit of distance over INPUT: where the\n"
+                 "given one grows faster it is lowered; 0.2 to 0.3 suits quads [no limit]")
+      ->type_name("G")
+      ->check(CLI::Range(0., 1e6));
+}
+
 inline void describe_sizes(CLI::App& app, Options& options)
 {
   auto* sizes = app.add_option_group("Sizes", "At least one; of several the smallest counts");
@@ -164,18 +180,7 @@ inline void describe_sizes(CLI::App& app, Options& options)
           ->check(not_empty());
   sizes->require_option(1, 0);
   describe_error(app, options, error);
-  app.add_option("--min-size", options.smallest_size,
-                 "Sizes below H are raised to H; edges come out somewhat shorter")
-      ->type_name("H")
-      ->check(number_from(0));
-  app.add_option("--max-size", options.largest_size, "Sizes above H are lowered to H")
-      ->type_name("H")
-      ->check(number_from(0));
-  app.add_option("--gradation", options.gradation,
-                 "Let the size grow by at most G per unit of distance over INPUT: where the\n"
-                 "given one grows faster it is lowered; 0.2 to 0.3 suits quads [no limit]")
-      ->type_name("G")
-      ->check(CLI::Range(0., 1e6));
+  describe_size_bounds(app, options);
 }
 
 inline void describe_surface(CLI::App& app, Options& options)

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
 #include <CGAL/Quad_mesh_adaptation/Poor_face.h>
+#include <CGAL/Quad_mesh_adaptation/Refusal.h>
 #include <CGAL/Quad_mesh_adaptation/Size_growth.h>
 
 #include <array>
@@ -26,22 +27,6 @@ enum class Adaptation_status
   input_refused, ///< the mesh cannot be adapted; `reason` and `entity` say why and where
   sizes_refused, ///< the sizing function gave a value that is not a positive finite number
   cancelled      ///< the visitor or the callback asked to stop
-};
-
-/// Why an input was refused.
-enum class Refusal
-{
-  none,
-  empty_mesh,
-  not_all_quads,
-  non_manifold,
-  non_orientable,
-  degenerate_face,
-  non_finite_coordinate,
-  invalid_size,
-  invalid_parameter,
-  unreadable_file,
-  unwritable_file
 };
 
 /// What an operation of the adaptation did, by name ("face close", "chord removal" ...).

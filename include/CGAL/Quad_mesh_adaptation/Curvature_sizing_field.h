@@ -6,7 +6,6 @@
 
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Size_range.h>
-#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 #include <CGAL/Quad_mesh_adaptation/internal/check_feature_angle.h>
 #include <CGAL/Quad_mesh_adaptation/internal/chord_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/spread_sizes.h>
@@ -59,7 +58,7 @@ public:
   {
     if(!(n >= 3 && std::isfinite(n)))
       throw std::invalid_argument("Curvature_sizing_field: fewer than 3 elements in a circle");
-    const double factor = 2 * std::sin(3.14159265358979323846 / n);
+    const double factor = 2 * std::sin(internal::pi / n);
     return Curvature_sizing_field(
         mesh, [factor](const internal::Principal_curvatures& k) { return factor / k.largest; },
         range, np);
@@ -119,21 +118,14 @@ private:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    using Edge = typename boost::graph_traits<PolygonMesh>::edge_descriptor;
     range.check();
     const double angle =
         choose_parameter(get_parameter(np, feature_angle_tag), default_feature_angle);
     const std::string complaint = internal::check_feature_angle(angle);
     if(!complaint.empty()) throw std::invalid_argument("Curvature_sizing_field: " + complaint);
-    const internal::Face_arrays arrays =
-        internal::face_arrays(mesh,
-                              choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                               get_const_property_map(vertex_point, mesh)),
-                              choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                               internal::No_constraints<Edge>()),
-                              "Curvature_sizing_field");
+    const internal::Face_arrays arrays = internal::face_arrays(mesh, np, "Curvature_sizing_field");
     range.largest = (std::max)((std::min)(range.largest, arrays.diagonal()), range.smallest);
-    const double cos_feature = angle >= 180 ? -2. : std::cos(angle * 3.14159265358979323846 / 180);
+    const double cos_feature = angle >= 180 ? -2. : std::cos(angle * internal::pi / 180);
     internal::Curvature_estimator estimator(arrays, cos_feature);
     std::vector<internal::Principal_curvatures> curvatures = estimator();
     std::vector<double> on_folds;
@@ -147,10 +139,7 @@ private:
       lengths[i] = range.clamp(lengths[i]);
     }
     if(error > 0) internal::spread_sizes(arrays, growth, lengths);
-    auto sizes = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
-    std::size_t i = 0;
-    for(auto v : vertices(mesh)) put(sizes, v, lengths[i++]);
-    return Nodal_sizing_field(mesh, sizes, np);
+    return internal::nodal_sizing_field(mesh, lengths, np);
   }
 
   Nodal_sizing_field field_;

@@ -7,7 +7,6 @@
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Size_range.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
-#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 #include <CGAL/Quad_mesh_adaptation/internal/optimal_sizes.h>
 
 #include <cmath>
@@ -137,23 +136,12 @@ private:
                                  const Error_target& target, const Error_sizing_options& options,
                                  const NP& np)
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    using Edge = typename boost::graph_traits<PolygonMesh>::edge_descriptor;
     check(target, options);
-    const Face_arrays arrays =
-        internal::face_arrays(mesh,
-                              choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                               get_const_property_map(vertex_point, mesh)),
-                              internal::No_constraints<Edge>(), "Error_sizing_field");
+    const Face_arrays arrays = internal::face_arrays(mesh, np, "Error_sizing_field");
     internal::Optimal_sizes optimal(face_errors(mesh, errors, arrays), options.order,
                                     options.largest_change);
     aim_at(target, optimal);
-    const std::vector<double> size = nodal_sizes(arrays, optimal, options.range);
-    auto sizes = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
-    std::size_t i = 0;
-    for(auto v : vertices(mesh)) put(sizes, v, size[i++]);
-    return Nodal_sizing_field(mesh, sizes, np);
+    return internal::nodal_sizing_field(mesh, nodal_sizes(arrays, optimal, options.range), np);
   }
 
   static void aim_at(const Error_target& target, internal::Optimal_sizes& optimal)

@@ -6,8 +6,10 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Sample_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Values_on_triangles.h>
+#include <CGAL/Quad_mesh_adaptation/internal/ideal_count.h>
 #include <CGAL/Quad_mesh_adaptation/internal/limit_slope.h>
-#include <CGAL/Quad_mesh_adaptation/measure_quad_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
+#include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -67,12 +69,9 @@ public:
                       std::size_t most_samples = 500000)
       : sizing_(std::move(sizing))
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
     if(!(std::isfinite(growth) && growth >= 0))
       throw std::invalid_argument("Graded_sizing_field: the slope is not a finite number >= 0");
-    const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                         get_const_property_map(vertex_point, mesh));
+    const auto points = internal::vertex_points(mesh, np);
     using Point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
     internal::Quad_arrays arrays = internal::quad_arrays(mesh, points, "Graded_sizing_field");
     for(const Vec& p : arrays.points)
@@ -81,8 +80,10 @@ public:
     internal::Sample_triangles samples(std::move(arrays.points), arrays.quads);
     data_ = std::make_shared<const Data>(
         std::move(samples),
-        [this](const Vec& p) { return checked(size(Point(p.x(), p.y(), p.z()))); }, growth,
-        most_samples);
+        [this](const Vec& p) {
+          return checked(internal::size_at(sizing_, Point(p.x(), p.y(), p.z())));
+        },
+        growth, most_samples);
   }
 
   /// Target edge length at a point (anything with `x()`, `y()` and `z()` that the given size
@@ -90,8 +91,9 @@ public:
   template <class Point>
   double operator()(const Point& p) const
   {
-    return (std::min)(size(p), data_->bound_at(Vec(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                                                   CGAL::to_double(p.z()))));
+    return (std::min)(internal::size_at(sizing_, p),
+                      data_->bound_at(Vec(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                          CGAL::to_double(p.z()))));
   }
 
   /// Number of points at which the given size was taken.
@@ -109,16 +111,7 @@ private:
   using Vec = internal::Vec;
   static constexpr double wanted_spacing = 0.5;
   static constexpr double finer_at_starts = 3; // a steep given size has its least value there
-  static constexpr std::size_t least_triangles = 16384;
 
-  template <class Point>
-  double size(const Point& p) const
-  {
-    if constexpr(std::is_arithmetic_v<SizingField>)
-      return (void(p), double(sizing_));
-    else
-      return CGAL::to_double(sizing_(p));
-  }
   static double checked(double h)
   {
     if(!(std::isfinite(h) && h > 0))
@@ -165,7 +158,7 @@ private:
                           e.length / (std::min)(bounds[e.source], bounds[e.target]));
         largest_spacing = (std::max)(largest_spacing, spacing.back());
       }
-      const bool is_few = samples.triangles().size() < least_triangles;
+      const bool is_few = samples.triangles().size() < internal::least_triangles;
       double threshold =
           is_few ? (std::min)(wanted_spacing, 0.5 * largest_spacing) : wanted_spacing;
       const std::size_t room =

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_NODAL_FIELD_H
 #define CGAL_QUAD_MESH_ADAPTATION_NODAL_FIELD_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Values_on_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
@@ -53,10 +54,7 @@ public:
   Nodal_field(const PolygonMesh& mesh, const VertexValueMap& values,
               const NP& np = parameters::default_values())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                         get_const_property_map(vertex_point, mesh));
+    const auto points = internal::vertex_points(mesh, np);
     using Descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
     std::unordered_map<Descriptor, Corner> corner;
     for(Descriptor v : vertices(mesh))
@@ -105,7 +103,7 @@ public:
   template <class Point>
   double operator()(const Point& p) const
   {
-    return (*values_)(vector_to(p));
+    return (*values_)(internal::to_vec(p));
   }
 
 private:
@@ -123,12 +121,6 @@ private:
     if(!condition) throw std::invalid_argument(std::string("Nodal_field: ") + otherwise);
   }
 
-  template <class Point>
-  static Vec vector_to(const Point& p)
-  {
-    return { CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) };
-  }
-
   void set_data(Soup soup)
   {
     require(!soup.empty(), "the mesh has no face with an area");
@@ -138,7 +130,7 @@ private:
   template <class Point>
   static Corner checked_corner(const Point& p, double value)
   {
-    const Corner corner = { vector_to(p), value };
+    const Corner corner = { internal::to_vec(p), value };
     require(internal::is_finite(corner.point), "a coordinate is not finite");
     require(std::isfinite(value), "a value is not finite");
     return corner;

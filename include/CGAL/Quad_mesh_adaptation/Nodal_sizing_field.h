@@ -13,6 +13,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <vector>
 
@@ -93,6 +94,20 @@ private:
   Nodal_field log_sizes_;
 };
 
+namespace internal {
+
+// The same from a list of sizes, in the order of the vertices.
+template <class PolygonMesh, class NP>
+Nodal_sizing_field nodal_sizing_field(const PolygonMesh& mesh, const std::vector<double>& sizes,
+                                      const NP& np)
+{
+  auto size_of = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+  std::size_t i = 0;
+  for(auto v : vertices(mesh)) put(size_of, v, sizes[i++]);
+  return Nodal_sizing_field(mesh, size_of, np);
+}
+
+} // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL
 

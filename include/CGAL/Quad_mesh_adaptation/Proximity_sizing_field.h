@@ -6,7 +6,6 @@
 
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Size_range.h>
-#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Opposite_sheets.h>
 
 #include <algorithm>
@@ -67,17 +66,10 @@ private:
   static Nodal_sizing_field make(const PolygonMesh& mesh, double n, Size_range range,
                                  Proximity what, const NP& np)
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    using Edge = typename boost::graph_traits<PolygonMesh>::edge_descriptor;
     range.check();
     if(!(n > 0 && std::isfinite(n)))
       throw std::invalid_argument("Proximity_sizing_field: the elements across are not positive");
-    const internal::Face_arrays arrays =
-        internal::face_arrays(mesh,
-                              choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                               get_const_property_map(vertex_point, mesh)),
-                              internal::No_constraints<Edge>(), "Proximity_sizing_field");
+    const internal::Face_arrays arrays = internal::face_arrays(mesh, np, "Proximity_sizing_field");
     if(!(arrays.area() > 0))
       throw std::invalid_argument("Proximity_sizing_field: the mesh has no face with an area");
     range.largest = (std::max)((std::min)(range.largest, arrays.diagonal()), range.smallest);
@@ -89,10 +81,7 @@ private:
       for(std::size_t v = 0; v < size.size(); ++v)
         size[v] = (std::min)(size[v], range.clamp(distance[v] / n));
     }
-    auto sizes = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
-    std::size_t i = 0;
-    for(auto v : vertices(mesh)) put(sizes, v, size[i++]);
-    return Nodal_sizing_field(mesh, sizes, np);
+    return internal::nodal_sizing_field(mesh, size, np);
   }
 
   Nodal_sizing_field field_;

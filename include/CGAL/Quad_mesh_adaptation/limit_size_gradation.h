@@ -4,6 +4,10 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_LIMIT_SIZE_GRADATION_H
 #define CGAL_QUAD_MESH_ADAPTATION_LIMIT_SIZE_GRADATION_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+#include <CGAL/Quad_mesh_adaptation/internal/lower_values.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
+
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -12,12 +16,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <queue>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,16 +28,16 @@ namespace internal {
 
 // By vertex, in the order of `number`: those it shares a face with.
 template <class PolygonMesh, class Numbers>
-std::vector<std::vector<std::size_t>> vertices_of_common_faces(const PolygonMesh& mesh,
-                                                               const Numbers& number)
+std::vector<std::vector<Index>> vertices_of_common_faces(const PolygonMesh& mesh,
+                                                         const Numbers& number)
 {
-  std::vector<std::vector<std::size_t>> neighbours(number.size());
-  std::vector<std::size_t> polygon;
+  std::vector<std::vector<Index>> neighbours(number.size());
+  std::vector<Index> polygon;
   for(auto f : faces(mesh)) {
     polygon.clear();
     for(auto v : vertices_around_face(halfedge(f, mesh), mesh)) polygon.push_back(number.at(v));
-    for(std::size_t a : polygon)
-      for(std::size_t b : polygon)
+    for(Index a : polygon)
+      for(Index b : polygon)
         if(a != b) neighbours[a].push_back(b);
   }
   return neighbours;
@@ -62,38 +63,29 @@ template <class PolygonMesh, class VertexSizeMap, class NP = parameters::Default
 void limit_size_gradation(const PolygonMesh& mesh, VertexSizeMap sizes, double growth,
                           const NP& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
   if(!(std::isfinite(growth) && growth >= 0))
     throw std::invalid_argument("limit_size_gradation: the slope is not a finite number >= 0");
-  const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(vertex_point, mesh));
+  const auto points = internal::vertex_points(mesh, np);
 
   std::vector<Vertex> vertex_of;
-  std::unordered_map<Vertex, std::size_t> number;
+  std::unordered_map<Vertex, internal::Index> number;
   for(Vertex v : vertices(mesh)) {
-    number.emplace(v, vertex_of.size());
+    number.emplace(v, internal::Index(vertex_of.size()));
     vertex_of.push_back(v);
   }
   const auto neighbours = internal::vertices_of_common_faces(mesh, number);
 
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   std::vector<double> size(vertex_of.size());
   for(std::size_t v = 0; v < size.size(); ++v) {
     size[v] = CGAL::to_double(get(sizes, vertex_of[v]));
     if(!(size[v] > 0))
       throw std::invalid_argument("limit_size_gradation: the size at vertex " + std::to_string(v) +
                                   " is not positive");
-    queue.emplace(size[v], v);
   }
-  while(!queue.empty()) {
-    const auto [h, v] = queue.top();
-    queue.pop();
-    if(h > size[v]) continue;
+  internal::lower_values(size, [&](double h, internal::Index v, const auto& lower) {
     const auto& p = get(points, vertex_of[v]);
-    for(std::size_t w : neighbours[v]) {
+    for(internal::Index w : neighbours[v]) {
       const auto& q = get(points, vertex_of[w]);
       const double length =
           std::hypot(CGAL::to_double(p.x() - q.x()), CGAL::to_double(p.y() - q.y()),
@@ -102,9 +94,9 @@ void limit_size_gradation(const PolygonMesh& mesh, VertexSizeMap sizes, double g
         throw std::invalid_argument("limit_size_gradation: vertex " + std::to_string(v) +
                                     " or one beside it has a coordinate that is not finite");
       const double bound = h + growth * length;
-      if(bound < size[w]) queue.emplace(size[w] = bound, w);
+      if(bound < size[w]) lower(w, bound);
     }
-  }
+  });
   for(std::size_t v = 0; v < size.size(); ++v)
     if(size[v] < CGAL::to_double(get(sizes, vertex_of[v]))) put(sizes, vertex_of[v], size[v]);
 }

@@ -5,6 +5,8 @@
 #define CGAL_QUAD_MESH_ADAPTATION_MEASURE_QUAD_MESH_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/measure.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
+#include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -23,46 +25,11 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-struct Quad_arrays
-{
-  std::vector<Vec> points;
-  std::vector<Quad> quads;
-};
-
-// Exceptions are in the name of `who`.
-template <class QuadMesh, class VertexPointMap>
-Quad_arrays quad_arrays(const QuadMesh& mesh, const VertexPointMap& point_map, const char* who)
-{
-  using Vertex = typename boost::graph_traits<QuadMesh>::vertex_descriptor;
-  Quad_arrays a;
-  std::unordered_map<Vertex, Index> number;
-  for(Vertex v : vertices(mesh)) {
-    const auto& p = get(point_map, v);
-    number.emplace(v, Index(a.points.size()));
-    a.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-  for(auto f : faces(mesh)) {
-    Quad q = {};
-    int corner = 0;
-    for(Vertex v : vertices_around_face(halfedge(f, mesh), mesh)) {
-      if(corner < 4) q[corner] = number.at(v);
-      ++corner;
-    }
-    if(corner != 4) throw std::invalid_argument(std::string(who) + ": a face is not a quad");
-    a.quads.push_back(q);
-  }
-  return a;
-}
-
 template <class Point, class SizingField>
 Size_function checked_size(const SizingField& sizing)
 {
   return [&sizing](const Vec& p) {
-    double h;
-    if constexpr(std::is_arithmetic_v<SizingField>)
-      h = (void(p), double(sizing));
-    else
-      h = CGAL::to_double(sizing(Point(p.x(), p.y(), p.z())));
+    const double h = size_at(sizing, Point(p.x(), p.y(), p.z()));
     if(!(std::isfinite(h) && h > 0))
       throw std::domain_error("measure_quad_mesh: a size is not a positive finite number");
     return h;
@@ -90,10 +57,7 @@ template <class QuadMesh, class SizingField, class NP = parameters::Default_name
 Mesh_measures measure_quad_mesh(const QuadMesh& mesh, const SizingField& sizing,
                                 const NP& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                          get_const_property_map(vertex_point, mesh));
+  const auto point_map = internal::vertex_points(mesh, np);
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   const internal::Quad_arrays a = internal::quad_arrays(mesh, point_map, "measure_quad_mesh");
   return internal::measure(a.points, a.quads, internal::checked_size<Point>(sizing));

@@ -23,8 +23,8 @@ namespace places {
 void add_closes(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h)) || !core::is_face_close_allowed(s, h)) continue;
+  for(Index h : m.halfedges()) {
+    if(!core::is_face_close_allowed(s, h)) continue;
     Place p{ "face close at half-edge " + std::to_string(h),
              [h](Adaptation_state& t, Cavity& c) { core::describe_face_close(t, h, c); },
              -1,
@@ -40,8 +40,7 @@ void add_opens(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
   std::vector<Index> out;
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(!m.is_vertex(v)) continue;
+  for(Index v : m.vertices()) {
     m.outgoing(v, out);
     for(std::size_t i = 0; i < out.size(); ++i)
       for(std::size_t j = 0; j < out.size(); ++j) {
@@ -65,8 +64,8 @@ void add_opens(const Adaptation_state& s, std::vector<Place>& list)
 void add_swaps(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h)) || m.opposite(h) < h || !core::is_edge_swap_allowed(s, h)) continue;
+  for(Index h : m.halfedges()) {
+    if(m.opposite(h) < h || !core::is_edge_swap_allowed(s, h)) continue;
     const Index o = m.opposite(h);
     for(bool left : { true, false }) {
       Place p{
@@ -89,8 +88,7 @@ void add_swaps(const Adaptation_state& s, std::vector<Place>& list)
 void add_corner_splits(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
+  for(Index h : m.halfedges()) {
     const core::Corner_split split = core::corner_split_at(m, h);
     if(!core::is_corner_split_allowed(s, split)) continue;
     Place p{ "corner split at half-edge " + std::to_string(h),
@@ -126,8 +124,8 @@ void add_rotations(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
   std::vector<Index> out;
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(!m.is_vertex(v) || !core::is_vertex_rotation_allowed(s, v)) continue;
+  for(Index v : m.vertices()) {
+    if(!core::is_vertex_rotation_allowed(s, v)) continue;
     Place p{ "vertex rotation at " + std::to_string(v),
              [v](Adaptation_state& t, Cavity& c) { core::describe_vertex_rotation(t, v, c); },
              0,
@@ -147,8 +145,8 @@ void add_rotations(const Adaptation_state& s, std::vector<Place>& list)
 void add_border_pairs(const Adaptation_state& s, std::vector<Place>& list)
 {
   core::Border_pair b;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-    if(!s.mesh.is_vertex(v) || !core::find_border_pair(s.mesh, v, b)) continue;
+  for(Index v : s.mesh.vertices()) {
+    if(!core::find_border_pair(s.mesh, v, b)) continue;
     const std::string at = " at vertex " + std::to_string(v);
     if(core::is_half_ring_collapse_allowed(s, b))
       list.push_back(
@@ -173,8 +171,8 @@ void add_crease_collapses(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
   core::Crease_star star;
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(!m.is_vertex(v) || !core::find_crease_star(m, v, star)) continue;
+  for(Index v : m.vertices()) {
+    if(!core::find_crease_star(m, v, star)) continue;
     if(!core::is_crease_collapse_allowed(s, star)) continue;
     Place p{ "crease collapse about vertex " + std::to_string(v),
              [star](Adaptation_state& t, Cavity& c) { core::describe_crease_collapse(t, star, c); },
@@ -191,8 +189,7 @@ void add_crease_collapses(const Adaptation_state& s, std::vector<Place>& list)
 void add_chords(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
+  for(Index h : m.halfedges()) {
     const core::Chord chord = core::chord_through(m, h);
     if(chord.rungs.front() != h || !core::is_chord_collapse_allowed(s, chord)) continue;
     const long n = long(chord.faces.size());
@@ -220,8 +217,7 @@ long rungs_on_border(const Quad_complex& m, const core::Ring& ring)
 void add_rings(const Adaptation_state& s, std::vector<Place>& list)
 {
   const Quad_complex& m = s.mesh;
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
+  for(Index h : m.halfedges()) {
     for(std::size_t n : { 1, 2, 4 }) {
       if(n == 1 && (h & 3) != 0) continue;
       const std::vector<Index> block =

@@ -63,22 +63,19 @@ std::vector<Component> components_of(const Quad_complex& m)
 {
   mesh_checks::Sets part(std::size_t(m.vertex_end())), loop(std::size_t(m.vertex_end()));
   std::vector<char> on_border(m.vertex_end(), 0);
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
+  for(Index h : m.halfedges()) {
     part.parent[part.find(m.origin(h))] = part.find(m.target(h));
     if(!m.is_border(h)) continue;
     on_border[m.origin(h)] = on_border[m.target(h)] = 1;
     loop.parent[loop.find(m.origin(h))] = loop.find(m.target(h));
   }
   std::map<Index, Component> by_root;
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(!m.is_vertex(v)) continue;
+  for(Index v : m.vertices()) {
     Component& c = by_root[part.find(v)];
     ++c.euler;
     if(on_border[v] && loop.find(v) == v) ++c.loops;
   }
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
+  for(Index h : m.halfedges()) {
     Component& c = by_root[part.find(m.origin(h))];
     if((h & 3) == 0) ++c.euler, ++c.faces;
     if(m.opposite(h) < h) --c.euler; // each edge at its higher half-edge, or its only one
@@ -95,17 +92,15 @@ std::vector<Quad> quads_of(const Quad_complex& m, std::vector<Vec>& points)
 {
   std::vector<Index> number(m.vertex_end(), -1);
   points.clear();
-  for(Index v = 0; v < m.vertex_end(); ++v)
-    if(m.is_vertex(v)) {
-      number[v] = Index(points.size());
-      points.push_back(m.point(v));
-    }
+  for(Index v : m.vertices()) {
+    number[v] = Index(points.size());
+    points.push_back(m.point(v));
+  }
   std::vector<Quad> quads;
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f)) {
-      const Quad q = m.quad(f);
-      quads.push_back({ number[q[0]], number[q[1]], number[q[2]], number[q[3]] });
-    }
+  for(Index f : m.faces()) {
+    const Quad q = m.quad(f);
+    quads.push_back({ number[q[0]], number[q[1]], number[q[2]], number[q[3]] });
+  }
   return quads;
 }
 
@@ -143,9 +138,8 @@ bool is_interior_doublet(const Quad_complex& m, Index v)
 std::set<Edge> frozen_edges_of(const Adaptation_state& s)
 {
   std::set<Edge> edges;
-  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h)
-    if(s.mesh.is_face(s.mesh.face(h)) && s.mesh.curve(h) >= 0 &&
-       s.curves[s.mesh.curve(h)].is_frozen())
+  for(Index h : s.mesh.halfedges())
+    if(s.mesh.curve(h) >= 0 && s.curves[s.mesh.curve(h)].is_frozen())
       edges.insert(std::minmax(s.mesh.origin(h), s.mesh.target(h)));
   return edges;
 }
@@ -157,8 +151,7 @@ Snapshot snapshot(const Adaptation_state& s)
   const Quad_complex& m = s.mesh;
   Snapshot b;
   b.components = components_of(m);
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(!m.is_vertex(v)) continue;
+  for(Index v : m.vertices()) {
     const core::Vertex_record& r = m.vertex(v);
     if(r.carrier == Carrier::corner || r.frozen) b.fixed.emplace_back(v, r.p);
     if(is_interior_doublet(m, v)) b.doublets.insert(v);
@@ -171,27 +164,39 @@ Snapshot snapshot(const Adaptation_state& s)
 
 namespace {
 
+using Neighbours = std::map<Index, std::vector<Index>>; // along a curve
+
+// Each node of curve c has two neighbours but for the ends, and lies on the curve.
+std::string chain_node_problem(const Adaptation_state& s, Index c, const Neighbours& neighbours)
+{
+  const core::Feature_curve& curve = s.curves[c];
+  const bool loop = curve.is_closed() || curve.first_corner == curve.last_corner;
+  for(const auto& n : neighbours) {
+    const bool end = n.first == curve.first_corner || n.first == curve.last_corner;
+    if(n.second.size() != (end && !loop ? 1u : 2u)) return name("branch at vertex", n.first);
+    if(end) continue;
+    const core::Vertex_record& r = s.mesh.vertex(n.first);
+    if(r.carrier != Carrier::curve || r.curve != c) return name("strange node", n.first);
+    const double off = std::sqrt((r.p - curve.point(r.param)).squared_length());
+    if(off > 1e-9 * curve.length()) return name("off its curve: vertex", n.first);
+  }
+  return "";
+}
+
 // The edges of curve c form one chain from its first to its last corner, or one cycle, through
 // its own nodes in the order of their arc lengths.
 std::string chain_problem(const Adaptation_state& s, Index c, const std::vector<Edge>& edges)
 {
   const core::Feature_curve& curve = s.curves[c];
   const Quad_complex& m = s.mesh;
-  std::map<Index, std::vector<Index>> neighbours;
+  Neighbours neighbours;
   for(const Edge& e : edges) {
     neighbours[e.first].push_back(e.second);
     neighbours[e.second].push_back(e.first);
   }
   const bool loop = curve.is_closed() || curve.first_corner == curve.last_corner;
-  for(const auto& n : neighbours) {
-    const bool end = n.first == curve.first_corner || n.first == curve.last_corner;
-    if(n.second.size() != (end && !loop ? 1u : 2u)) return name("branch at vertex", n.first);
-    if(end) continue;
-    const core::Vertex_record& r = m.vertex(n.first);
-    if(r.carrier != Carrier::curve || r.curve != c) return name("strange node", n.first);
-    const double off = std::sqrt((r.p - curve.point(r.param)).squared_length());
-    if(off > 1e-9 * curve.length()) return name("off its curve: vertex", n.first);
-  }
+  const std::string problem = chain_node_problem(s, c, neighbours);
+  if(!problem.empty()) return problem;
   if(edges.empty()) return "no edges";
   const Index start = curve.is_closed() ? edges[0].first : curve.first_corner;
   if(neighbours.count(start) == 0) return "first corner lost";
@@ -233,8 +238,7 @@ std::string curve_problem(const Adaptation_state& s)
 {
   const Quad_complex& m = s.mesh;
   std::vector<std::vector<Edge>> edges(s.curves.size());
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
+  for(Index h : m.halfedges()) {
     const Index c = m.curve(h);
     if(m.is_border(h) != (c >= 0 && s.curves[c].is_border())) return name("border and curve at", h);
     if(c < 0 || m.opposite(h) > h) continue;
@@ -244,8 +248,7 @@ std::string curve_problem(const Adaptation_state& s)
     const std::string problem = chain_problem(s, Index(c), edges[c]);
     if(!problem.empty()) return name("curve", Index(c)) + ": " + problem;
   }
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(!m.is_vertex(v)) continue;
+  for(Index v : m.vertices()) {
     const core::Vertex_record& r = m.vertex(v);
     if(r.carrier == Carrier::surface && m.is_border_vertex(v))
       return name("loose border vertex", v);
@@ -259,8 +262,7 @@ std::string curve_problem(const Adaptation_state& s)
 
 std::string cache_problem(const Adaptation_state& s)
 {
-  for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f)) continue;
+  for(Index f : s.mesh.faces()) {
     const core::Corners p = s.corners(f);
     // a cavity may have begun with another corner
     if(s.sizes.is_known(f) && std::abs(s.sizes[f] / s.size.at_face(p) - 1) > 1e-12)

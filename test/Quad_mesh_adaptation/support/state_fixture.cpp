@@ -44,6 +44,14 @@ Adaptation_state make_state(const Shape& shape, const Options& o)
   return s;
 }
 
+std::size_t irregular_nodes(const Adaptation_state& s)
+{
+  std::size_t count = 0;
+  for(Index v : s.mesh.vertices())
+    if(!s.mesh.is_border_vertex(v) && s.mesh.vertex(v).faces != 4) ++count;
+  return count;
+}
+
 Options with_crease(const Shape& shape)
 {
   // every edge whose ends both lie in the plane through the middle of the shape

@@ -10,6 +10,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 
+#include <cstddef>
 #include <functional>
 #include <set>
 #include <string>
@@ -38,6 +39,9 @@ struct Options
 core::Input_mesh input_of(const Shape& shape, const Options& o);
 
 Adaptation_state make_state(const Shape& shape, const Options& o = Options());
+
+/// Inner nodes without four faces.
+std::size_t irregular_nodes(const Adaptation_state& s);
 
 // States that together show all kinds of carriers: the zoo, creases inside a surface, frozen
 // borders and vertices.

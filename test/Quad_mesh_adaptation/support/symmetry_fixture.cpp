@@ -30,13 +30,8 @@ Shape moved(Shape s, const std::function<Vec(const Vec&)>& f)
 
 Shape centred(const Shape& s)
 {
-  Vec low = s.points[0], high = low;
-  for(const Vec& p : s.points) {
-    low = Vec((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z()));
-    high =
-        Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()), (std::max)(high.z(), p.z()));
-  }
-  return moved(s, [&](const Vec& p) { return p - 0.5 * (low + high); });
+  const CGAL::Quad_mesh_adaptation::internal::Box box(s.points);
+  return moved(s, [&](const Vec& p) { return p - 0.5 * (box.low + box.high); });
 }
 
 Shape cap()

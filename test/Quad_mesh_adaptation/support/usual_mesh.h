@@ -42,4 +42,10 @@ QUAD_MESH_TEST_INSTANCE Facts facts_of_mesh(const usual_mesh::Mesh&);
 
 } // namespace mesh_checks
 
+namespace usual_mesh {
+
+inline Mesh mesh_of(const shape_zoo::Shape& s) { return zoo_mesh::make<Mesh, Point>(s); }
+
+} // namespace usual_mesh
+
 #endif // QUAD_MESH_ADAPTATION_TEST_USUAL_MESH_H

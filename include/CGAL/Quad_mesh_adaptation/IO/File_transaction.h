@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_IO_FILE_TRANSACTION_H
 #define CGAL_QUAD_MESH_ADAPTATION_IO_FILE_TRANSACTION_H
 
-#include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+#include <CGAL/Quad_mesh_adaptation/Refusal.h>
 
 #include <filesystem>
 #include <fstream>

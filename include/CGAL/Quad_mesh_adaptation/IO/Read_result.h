@@ -4,9 +4,10 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_IO_READ_RESULT_H
 #define CGAL_QUAD_MESH_ADAPTATION_IO_READ_RESULT_H
 
-#include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+#include <CGAL/Quad_mesh_adaptation/Refusal.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

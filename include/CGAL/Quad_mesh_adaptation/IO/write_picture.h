@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/IO/File_transaction.h>
 #include <CGAL/Quad_mesh_adaptation/internal/file_names.h>
+#include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
 #include <CGAL/Quad_mesh_adaptation/internal/svg_panels.h>
 
 #include <array>
@@ -54,17 +55,10 @@ public:
   template <class QuadMesh, class SizingField>
   void add_sizing(const QuadMesh& mesh, const SizingField& sizing, const std::string& title)
   {
-    internal::Size_function size;
-    if constexpr(std::is_arithmetic<SizingField>::value) {
-      size = [sizing](const internal::Vec&) { return double(sizing); };
-    } else {
-      using Point_map = std::decay_t<decltype(get(CGAL::vertex_point, mesh))>;
-      using Point = typename boost::property_traits<Point_map>::value_type;
-      size = [&sizing](const internal::Vec& p) {
-        return CGAL::to_double(sizing(Point(p.x(), p.y(), p.z())));
-      };
-    }
-    panels_.push_back({ title, internal::soup_of_mesh(mesh), size });
+    using Point_map = std::decay_t<decltype(get(CGAL::vertex_point, mesh))>;
+    using Point = typename boost::property_traits<Point_map>::value_type;
+    panels_.push_back(
+        { title, internal::soup_of_mesh(mesh), internal::size_function<Point>(sizing) });
   }
 
   /// The SVG text.  Calls the sizing functions, which must still be there, as must what they throw

@@ -5,12 +5,10 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPTATION_STATE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Coverage.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Face_caches.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Feature_curve.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_surface.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Run_record.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Size_sampler.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Sized_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Smoothing_weights.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Workers.h>
 #include <CGAL/Quad_mesh_adaptation/internal/face_energy.h>
@@ -29,46 +27,29 @@ namespace internal {
 
 // Everything the phases work on: a compact copy of the caller's mesh, so that the call is
 // transactional and the heavy code is compiled once, whatever the mesh type.
-struct Adaptation_state : Run_record, Face_caches
+struct Adaptation_state : Run_record, Sized_mesh
 {
-  Quad_complex mesh;
   std::vector<Feature_curve> curves;
   Reference_surface surface;
   std::vector<Index> given_patch;            // by the patch of a face: the caller's
   std::vector<Index> reference_patch;        // by the patch of a face: the surface's; -1: not known
   std::function<Vec(const Vec&)> curve_lift; // from a curve's polyline to the true curve, if set
-  Size_sampler size;
   Coverage coverage; // of bends of the surface by the mesh, see prepare_coverage()
   Energy_weights energy;
   double max_distance = (std::numeric_limits<double>::infinity)(); // to the reference, see
                                                                    // distance_guard.h
   Smoothing_weights smoothing;
 
-  Workers workers;        // for what can be done side by side
-  std::size_t copies = 1; // mirror images that make the whole mesh
-  int order = 0;          // of walks, see Walk: other ways to choose among equals
-
-  Corners corners(Index f) const
-  {
-    const Quad q = mesh.quad(f);
-    return { mesh.point(q[0]), mesh.point(q[1]), mesh.point(q[2]), mesh.point(q[3]) };
-  }
+  Workers workers;              // for what can be done side by side
+  std::size_t copies = 1;       // mirror images that make the whole mesh
+  int order = 0;                // of walks, see Walk: other ways to choose among equals
+  std::size_t turned_faces = 0; // of a curved input: upside down, in tangles
 
   Facing reference_normal(Index f) const
   {
     Facing r;
     for(Index v : mesh.quad(f)) r.add(mesh.vertex(v).normal);
     return r;
-  }
-
-  // The size a face is to have now, the floor of under-resolved places included.
-  double target(const Corners& p, double floor) const { return (std::max)(size.at_face(p), floor); }
-
-  double face_floor(Index f) const
-  {
-    double s = 0;
-    for(Index v : mesh.quad(f)) s += 0.25 * mesh.vertex(v).floor;
-    return s;
   }
 
   double face_energy(const Corners& p, const Facing& reference, double floor) const
@@ -91,72 +72,10 @@ struct Adaptation_state : Run_record, Face_caches
                            (std::max)(wanted_size(f), face_floor(f)));
   }
 
-  std::size_t turned_faces = 0; // of a curved input: upside down, in tangles
-
-  // Where only a part of the mesh is to be worked on: its nodes; new ones belong to it.
-  std::vector<char> region;
-
-  bool is_to_work_on(Index v) const { return v >= Index(region.size()) || region[v]; }
-  std::vector<char> all_to_work_on() const
-  {
-    std::vector<char> all = region;
-    all.resize(mesh.vertex_end(), 1);
-    return all;
-  }
-
-  // Nodes that smoothing should visit, because something about them changed.
-  std::vector<char> restless;
-
-  void disturb(Index v)
-  {
-    if(!is_to_work_on(v)) return;
-    if(v >= Index(restless.size())) restless.resize(mesh.vertex_end(), 1);
-    restless[v] = 1;
-  }
-  void disturb_all() { restless = all_to_work_on(); }
-
-  // Nodes about which enough has changed for another operation to pay.
-  std::vector<char> stirred;
-
-  void stir(Index v)
-  {
-    if(!is_to_work_on(v)) return;
-    if(v >= Index(stirred.size())) stirred.resize(mesh.vertex_end(), 1);
-    stirred[v] = 1;
-  }
-  void stir_all() { stirred = all_to_work_on(); }
-
   double cached_energy(Index f)
   {
     if(!energies.is_known(f)) energies.set(f, float(face_energy(f)), mesh.face_end());
     return energies[f];
-  }
-
-  // Wanted size of face f over the sum of the sizes at its corners.  It changes little while the
-  // corners move, so that smoothing asks for one size per move instead of five per face.
-  double size_factor(Index f) const
-  {
-    if(size.is_constant()) return 0.25;
-    return factors.is_known(f) ? factors[f] : size_factor_now(f);
-  }
-
-  // Renewed after a few moves.
-  double renewed_size_factor(Index f)
-  {
-    if(size.is_constant()) return 0.25;
-    if(!factors.is_known(f) || factor_age[f] >= 6) {
-      factors.set(f, size_factor_now(f), mesh.face_end());
-      factor_age.resize(mesh.face_end(), 0);
-      factor_age[f] = 0;
-    }
-    return factors[f];
-  }
-
-  float size_factor_now(Index f) const
-  {
-    double sum = 0;
-    for(Index v : mesh.quad(f)) sum += mesh.vertex(v).h;
-    return float(wanted_size(f) / sum);
   }
 
   void forget_faces()
@@ -196,33 +115,6 @@ struct Adaptation_state : Run_record, Face_caches
     stirred.resize(mesh.vertex_end(), 1);
   }
 
-  // Size ratio of eq. 3, in the sampling in use, against the size without floors.
-  double size_ratio(Index f) const
-  {
-    return ratios.is_known(f) ? ratios[f] : mean_edge_length(corners(f)) / wanted_size(f);
-  }
-  // The same where corners, mean edge length and the size at the centre, not scaled, are at hand;
-  // known from then on.
-  double size_ratio(Index f, const Corners& p, double mean_length, double at_centre) const
-  {
-    if(size.is_constant()) {
-      ratios.set(f, mean_length / size.at_face(p), mesh.face_end());
-      return ratios[f];
-    }
-    if(!sizes.is_known(f)) sizes.set(f, size.at_face(p, size.scale() * at_centre), mesh.face_end());
-    ratios.set(f, mean_length / sizes[f], mesh.face_end());
-    return ratios[f];
-  }
-
-  // The same size as in the ratio.  All who judge face f share it: to find it takes five values of
-  // the caller's function, which may be slow.
-  double wanted_size(Index f) const
-  {
-    if(size.is_constant()) return size.at_face(Corners());
-    if(!sizes.is_known(f)) sizes.set(f, size.at_face(corners(f)), mesh.face_end());
-    return sizes[f];
-  }
-
   // Before anything that moves nodes or replaces faces; next to nothing if nothing has changed.
   void prepare_coverage() { coverage.prepare(mesh, surface, size, reference_patch); }
 
@@ -240,8 +132,7 @@ struct Adaptation_state : Run_record, Face_caches
   // Once the sizes come from something else.
   void renew_sizes()
   {
-    for(Index v = 0; v < mesh.vertex_end(); ++v)
-      if(mesh.is_vertex(v)) mesh.vertex(v).h = size.at(mesh.point(v));
+    for(Index v : mesh.vertices()) mesh.vertex(v).h = size.at(mesh.point(v));
     forget_sizes();
   }
 

@@ -55,7 +55,7 @@ private:
     if(number_poor() <= poor) return;
     for(std::size_t i = 0; i < nodes_.size(); ++i) s_.mesh.vertex(nodes_[i]) = before[i];
     for(Index v : nodes_) {
-      faces_moved(v);
+      s_.node_moved(v);
       share_witnesses_about(v);
     }
   }
@@ -69,8 +69,7 @@ private:
     for(Index v = 0; v < Index(near.size()); ++v) {
       if(!near[v] || is_fixed(s_.mesh.vertex(v)) || !s_.is_to_work_on(v)) continue;
       nodes_.push_back(v);
-      s_.mesh.outgoing(v, out_);
-      for(Index h : out_) faces_.push_back(s_.mesh.face(h));
+      for(Index h : s_.mesh.outgoing(v)) faces_.push_back(s_.mesh.face(h));
     }
     std::sort(faces_.begin(), faces_.end());
     faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
@@ -149,7 +148,7 @@ private:
   double lack_about(Index v) const
   {
     double sum = 0;
-    for(Index h : out_of(v)) sum += lack_of(s_.mesh.face(h));
+    for(Index h : s_.mesh.outgoing(v)) sum += lack_of(s_.mesh.face(h));
     return sum;
   }
 
@@ -176,7 +175,7 @@ private:
       best = r;
     }
     r = best;
-    faces_moved(v);
+    s_.node_moved(v);
     if(best.p != old.p) share_witnesses_about(v);
   }
 
@@ -184,8 +183,7 @@ private:
   static std::vector<Vec> directions(const Vertex_record& r)
   {
     if(r.carrier == Carrier::curve) return { Vec(1, 0, 0), Vec(-1, 0, 0) };
-    const Vec n = r.normal, a = std::abs(n.x()) < 0.6 ? Vec(1, 0, 0) : Vec(0, 1, 0);
-    const Vec x = normalized(cross(n, a)), y = cross(n, x);
+    const auto [x, y] = tangents(r.normal);
     const double c = std::sqrt(0.5);
     return { x, y, -x, -y, c * (x + y), c * (y - x), -c * (x + y), c * (x - y) };
   }
@@ -194,14 +192,13 @@ private:
   {
     constexpr double hair = 1e-9;
     if(!is_order_kept(s_, v, old)) return false;
-    faces_moved(v);
-    const auto is_too_poor = [this](Index h) {
-      const Index f = s_.mesh.face(h);
+    s_.node_moved(v);
+    const auto is_too_poor = [this](Index f) {
       return scaled_jacobian(s_.corners(f)) < least_jacobian_[f] - hair ||
              quality_of(f) < least_[f] - hair;
     };
-    const std::vector<Index>& out = out_of(v);
-    if(std::any_of(out.begin(), out.end(), is_too_poor)) return false;
+    for(Index h : s_.mesh.outgoing(v))
+      if(is_too_poor(s_.mesh.face(h))) return false;
     return largest_ratio_about(v) <= allowed_ratio && !loses_surface(s_, v, old) &&
            !leaves_reference(s_, v, old);
   }
@@ -209,13 +206,9 @@ private:
   double largest_ratio_about(Index v) const
   {
     double largest = 0;
-    for(Index h : out_of(v)) largest = (std::max)(largest, s_.size_ratio(s_.mesh.face(h)));
+    for(Index h : s_.mesh.outgoing(v))
+      largest = (std::max)(largest, s_.size_ratio(s_.mesh.face(h)));
     return largest;
-  }
-
-  void faces_moved(Index v)
-  {
-    for(Index h : out_of(v)) s_.face_moved(s_.mesh.face(h));
   }
 
   void share_witnesses_about(Index v)
@@ -223,16 +216,9 @@ private:
     if(!s_.coverage.is_empty()) share_witnesses(s_, v);
   }
 
-  const std::vector<Index>& out_of(Index v) const
-  {
-    s_.mesh.outgoing(v, out_);
-    return out_;
-  }
-
   Adaptation_state& s_;
   const double worst_; // scaled Jacobian; no face falls below it, those of less quality not at all
   std::vector<Index> nodes_, faces_;
-  mutable std::vector<Index> out_;
   std::vector<double> goals_, least_, least_jacobian_; // by face: hoped for, and to be kept
 };
 

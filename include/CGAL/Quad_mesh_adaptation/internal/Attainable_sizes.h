@@ -117,12 +117,10 @@ private:
       if(excess.empty()) excess.resize(m.vertex_end(), 0);
       for(Index v : m.quad(f)) excess[v] += area(f) * (times - 1);
     }
-    std::vector<Index> around;
     for(Index v = 0; v < Index(excess.size()); ++v) {
       if(!(excess[v] > 0)) continue;
-      m.outgoing(v, around);
       double of_all = 0;
-      for(Index h : around) of_all += area(m.face(h));
+      for(Index h : m.outgoing(v)) of_all += area(m.face(h));
       lower(v, m.vertex(v).h / std::sqrt(1 + excess[v] / of_all));
     }
   }
@@ -130,8 +128,8 @@ private:
   void find_short_curves()
   {
     const Quad_complex& m = s_.mesh;
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(!m.is_face(m.face(h)) || m.curve(h) < 0) continue;
+    for(Index h : m.halfedges()) {
+      if(m.curve(h) < 0) continue;
       const Feature_curve& c = s_.curves[m.curve(h)];
       const double longest_edge = c.length() / fewest_edges(c);
       lower(m.origin(h), longest_edge);
@@ -143,13 +141,11 @@ private:
   void spread()
   {
     const Quad_complex& m = s_.mesh;
-    std::vector<Index> around;
     while(!queue_.empty()) {
       const auto [h, v] = queue_.top();
       queue_.pop();
       if(h > size_[v]) continue;
-      m.outgoing(v, around);
-      for(Index out : around)
+      for(Index out : m.outgoing(v))
         for(Index w : m.quad(m.face(out)))
           if(w != v) lower(w, h + growth * distance(m.point(v), m.point(w)));
     }

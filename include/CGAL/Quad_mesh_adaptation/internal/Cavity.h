@@ -68,12 +68,7 @@ public:
 
   void add_old_star(Index v)
   {
-    const Index start = s_.mesh.vertex(v).halfedge;
-    Index h = start;
-    do {
-      add_old_face(s_.mesh.face(h));
-      h = s_.mesh.turn_left(h);
-    } while(h >= 0 && h != start);
+    for(Index h : s_.mesh.outgoing(v)) add_old_face(s_.mesh.face(h));
   }
 
   // Number of vertex v in the cavity.
@@ -118,16 +113,13 @@ public:
     const std::size_t n = ids.size();
     for(std::size_t i = 0; i < n; ++i) {
       if(ids[i] < 0) continue;
-      const Index start = s_.mesh.vertex(ids[i]).halfedge;
-      Index h = start;
-      do {
+      for(Index h : s_.mesh.outgoing(ids[i])) {
         const Index f = s_.mesh.face(h);
         if(!has_old_face(f)) {
           add_old_face(f);
           quads.push_back(copy_of(f));
         }
-        h = s_.mesh.turn_left(h);
-      } while(h >= 0 && h != start);
+      }
     }
   }
 

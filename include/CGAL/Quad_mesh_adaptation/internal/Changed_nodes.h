@@ -59,12 +59,8 @@ private:
 
   void reach_around(Index v)
   {
-    const Index start = s_.mesh.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : s_.mesh.outgoing(v))
       for(Index u : s_.mesh.quad(s_.mesh.face(h))) reach(u);
-      h = s_.mesh.turn_left(h);
-    } while(h >= 0 && h != start);
   }
 
   const Adaptation_state& s_;

@@ -31,9 +31,9 @@ public:
     const Quad_complex& m = s.mesh;
     chord_of_.assign(2 * std::size_t(m.face_end()), -1);
     others_.assign(m.vertex_end(), { -1, -1 });
-    for(Index f = 0; f < m.face_end(); ++f)
+    for(Index f : m.faces())
       for(Index i = 0; i < 2; ++i)
-        if(m.is_face(f) && chord_of_[2 * f + i] < 0) add(chord_through(m, 4 * f + i));
+        if(chord_of_[2 * f + i] < 0) add(chord_through(m, 4 * f + i));
   }
 
   Index size() const { return Index(chords_.size()); }
@@ -95,13 +95,10 @@ public:
   void leave_out_about(Index v)
   {
     const Quad_complex& m = s_.mesh;
-    const Index start = m.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : m.outgoing(v)) {
       leave_out(chord_of_[2 * m.face(h)]);
       leave_out(chord_of_[2 * m.face(h) + 1]);
-      h = m.turn_left(h);
-    } while(h >= 0 && h != start);
+    }
   }
 
 private:

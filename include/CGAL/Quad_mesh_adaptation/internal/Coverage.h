@@ -188,8 +188,7 @@ private:
   {
     std::vector<Index> face_of;
     face_of.reserve(m.number_of_faces());
-    for(Index f = 0; f < m.face_end(); ++f)
-      if(m.is_face(f)) face_of.push_back(f);
+    for(Index f : m.faces()) face_of.push_back(f);
     const auto corners_of = [&](Index t) -> std::array<Vec, 3> {
       const Quad q = m.quad(face_of[t / 2]);
       return { m.point(q[0]), m.point(q[1 + t % 2]), m.point(q[2 + t % 2]) };

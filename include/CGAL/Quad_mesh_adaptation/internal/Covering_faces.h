@@ -25,7 +25,7 @@ public:
 
   void add(const Corners& c)
   {
-    const Vec centre = 0.25 * (c[0] + c[1] + c[2] + c[3]);
+    const Vec centre = face_centre(c);
     double radius2 = 0;
     for(const Vec& p : c) radius2 = (std::max)(radius2, (p - centre).squared_length());
     faces_.push_back({ c, area_vector(c), centre, std::sqrt(radius2) });

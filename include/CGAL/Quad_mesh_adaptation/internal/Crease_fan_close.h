@@ -119,35 +119,19 @@ private:
     const Index from_s = m.next(m.next(into_b_)), from_q = m.prev(into_b_);
     for(Index g : star_) m.set_origin(g, b_);
     m.set_origin(from_b_, q); // the face of it is the one that is made
-    replace(from_q, from_b_);
-    replace(from_s, spoke_);
+    m.replace(from_q, from_b_);
+    m.replace(from_s, spoke_);
     m.vertex(b_).faces = Index(star_.size()) - 3;
     m.vertex(b_).halfedge = m.next(from_b_);
     if(m.vertex(q).halfedge == from_q) m.vertex(q).halfedge = from_b_;
-    lose_face(s, from_s, spoke_);
-    lose_face(v, from_v, m.opposite(to_v));
+    m.lose_face(s, from_s, spoke_);
+    m.lose_face(v, from_v, m.opposite(to_v));
     m.set_opposites(m.opposite(from_v), m.opposite(to_v));
     m.remove_face(m.face(to_b_));
     m.remove_face(m.face(into_b_));
     m.remove_vertex(a_);
     m.remove_vertex(c_);
     s_.disturb(b_);
-  }
-
-  // Half-edge h takes the place of `old`.
-  void replace(Index old, Index h)
-  {
-    Quad_complex& m = s_.mesh;
-    m.set_opposites(h, m.opposite(old));
-    m.set_curve(h, m.curve(old));
-  }
-
-  // `gone`, an outgoing half-edge of v, is replaced by another one.
-  void lose_face(Index v, Index gone, Index other)
-  {
-    Vertex_record& r = s_.mesh.vertex(v);
-    --r.faces;
-    if(r.halfedge == gone) r.halfedge = other;
   }
 
   Adaptation_state& s_;

@@ -5,16 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CREASE_LOOKUP_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Reference_creases.h>
-
-#include <CGAL/AABB_tree.h>
-#include <CGAL/version.h>
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_segment_primitive_3.h>
-#include <CGAL/AABB_traits_3.h>
-#else
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#endif
+#include <CGAL/Quad_mesh_adaptation/internal/aabb_trees.h>
 
 #include <vector>
 
@@ -26,14 +17,6 @@ namespace internal {
 class Crease_lookup
 {
   using Segment_3 = Core_kernel::Segment_3;
-  using Iterator = std::vector<Segment_3>::const_iterator;
-#if CGAL_VERSION_NR >= 1060000000
-  using Primitive = CGAL::AABB_segment_primitive_3<Core_kernel, Iterator>;
-  using Traits = CGAL::AABB_traits_3<Core_kernel, Primitive>;
-#else
-  using Primitive = CGAL::AABB_segment_primitive<Core_kernel, Iterator>;
-  using Traits = CGAL::AABB_traits<Core_kernel, Primitive>;
-#endif
 
 public:
   explicit Crease_lookup(const Reference_creases& creases)
@@ -63,7 +46,7 @@ private:
   }
 
   std::vector<Segment_3> segments_;
-  CGAL::AABB_tree<Traits> tree_;
+  Segment_aabb_tree tree_;
 };
 
 } // namespace internal

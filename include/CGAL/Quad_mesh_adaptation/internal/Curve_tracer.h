@@ -112,11 +112,11 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     const Index o = m.opposite(h);
-    std::vector<Index> out;
-    m.outgoing(v, out);
-    for(Index g : out)
+    Index last = -1;
+    for(Index g : m.outgoing(v)) {
       if(m.curve(g) >= 0 && g != h && g != o) return g;
-    const Index last = m.prev(out.back());
+      last = m.prev(g);
+    }
     return m.is_border(last) && last != h ? last : Index(-1);
   }
 

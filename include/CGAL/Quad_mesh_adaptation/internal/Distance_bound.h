@@ -62,8 +62,8 @@ public:
     std::vector<Index> list;
     if(!is_asked_for()) return list;
     const Distance_measure distances(s_, allowed_);
-    for(Index f = 0; f < s_.mesh.face_end(); ++f)
-      if(s_.mesh.is_face(f) && distances.of(f) > allowed_) list.push_back(f);
+    for(Index f : s_.mesh.faces())
+      if(distances.of(f) > allowed_) list.push_back(f);
     return list;
   }
 

@@ -5,8 +5,8 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_MEASURE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_from_reference.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Largest_distance.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 #include <CGAL/Quad_mesh_adaptation/internal/own_triangles.h>
 
@@ -33,30 +33,23 @@ class Distance_measure
 public:
   explicit Distance_measure(const Adaptation_state& s,
                             double care = (std::numeric_limits<double>::infinity)())
-      : s_(s), care_(care), is_careful_(std::isfinite(care)),
-        of_face_(is_careful_ ? s.mesh.face_end() : 0, 0.)
+      : s_(s), by_face_(s.mesh.face_end(), care)
   {
     measure_curves();
     if(s_.surface.is_planar()) return;
     is_own_ = faces_with_own_triangles(s_);
     measure_faces();
-    measure_reference();
+    Distance_from_reference(s_, is_own_, by_face_, from_reference_)();
   }
 
   double to_reference() const { return to_reference_.value(); }
   double from_reference() const { return from_reference_.value(); }
   // With `care`: the larger of both for what was found on face f; rather too much, but where it is
   // above `care`.
-  double of(Index f) const { return of_face_[f]; }
+  double of(Index f) const { return by_face_[f]; }
 
 private:
   static constexpr int curve_samples = 8;
-
-  void note(Index f, double d, Largest_distance& largest)
-  {
-    if(is_careful_) of_face_[f] = (std::max)(of_face_[f], d);
-    largest.note(d);
-  }
 
   void measure_faces()
   {
@@ -68,7 +61,7 @@ private:
           if((f % one_in == 0) == is_first && s_.mesh.is_face(f)) measure_face(f);
     };
     measure_all();
-    if(is_careful_ || to_reference_.settle(s_.surface)) return;
+    if(by_face_.is_careful() || to_reference_.settle(s_.surface)) return;
     asks_tree_ = true;
     measure_all();
     asks_tree_ = false;
@@ -96,11 +89,11 @@ private:
   {
     if(!is_own_[f]) return false;
     const double bound = 0.25 * norm(p[0] - p[1] + p[2] - p[3]);
-    if(!is_careful_)
+    if(!by_face_.is_careful())
       return bound <= to_reference_.threshold() ||
              height_above_halves(p) <= to_reference_.threshold();
-    if(bound > care_) return false;
-    note(f, bound, to_reference_);
+    if(bound > by_face_.care()) return false;
+    by_face_.note(f, bound, to_reference_);
     return true;
   }
 
@@ -119,29 +112,29 @@ private:
   // too far away.
   void measure_to_surface(const Vec& q, Index f, Index g, Index& hint)
   {
-    const double enough = is_careful_ ? care_ : to_reference_.threshold();
+    const double enough = by_face_.enough(to_reference_);
     double d = s_.surface.distance_from(q, enough, hint);
-    if(d <= enough && !is_careful_) return; // it may be less, but does not matter
+    if(d <= enough && !by_face_.is_careful()) return; // it may be less, but does not matter
     if(d > enough) {
       const Index k = s_.mesh.patch(f);
       const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
       const Vec direction = area_vector(s_.corners(f));
-      if(!is_careful_ && !asks_tree_) return to_reference_.doubt(d, q, patch, direction);
+      if(!by_face_.is_careful() && !asks_tree_) return to_reference_.doubt(d, q, patch, direction);
       Index nearer = s_.surface.find_nearer(q, patch, direction, d);
       if(nearer >= 0) {
         hint = nearer;
         d = (std::min)(d, distance(q, s_.surface.project(q, hint)));
       }
     }
-    note(f, d, to_reference_);
-    note(g, d, to_reference_);
+    by_face_.note(f, d, to_reference_);
+    by_face_.note(g, d, to_reference_);
   }
 
   void measure_curves()
   {
     const Quad_complex& m = s_.mesh;
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(!m.is_face(m.face(h)) || m.curve(h) < 0 || m.opposite(h) > h) continue;
+    for(Index h : m.halfedges()) {
+      if(m.curve(h) < 0 || m.opposite(h) > h) continue;
       const Feature_curve& c = s_.curves[m.curve(h)];
       const Vec &a = m.point(m.origin(h)), e = m.point(m.target(h)) - a;
       double su, sv, largest = 0;
@@ -155,166 +148,17 @@ private:
       };
       for(int k = 1; k < curve_samples; ++k) look_at(l * k / curve_samples);
       for_each_arc(c, su, l, look_at);
-      note(m.face(h), largest, from_reference_);
+      by_face_.note(m.face(h), largest, from_reference_);
       to_reference_.note(largest);
-      if(m.opposite(h) >= 0) note(m.face(m.opposite(h)), largest, from_reference_);
+      if(m.opposite(h) >= 0) by_face_.note(m.face(m.opposite(h)), largest, from_reference_);
     }
-  }
-
-  // What a small change has left as it was is on its own triangles, and looked at only near faces
-  // that are others now.
-  void measure_reference()
-  {
-    // before anything is done, no point of an input that is its own reference is off the mesh
-    const std::size_t own = std::size_t(std::count(is_own_.begin(), is_own_.end(), 1));
-    if(2 * own == s_.surface.triangles().size()) return;
-    const std::vector<char> near = faces_near_others(s_.mesh, is_own_);
-    Mesh_triangles triangles(s_.mesh, &near);
-    face_of_ = triangles.face_of();
-    mesh_ = triangles.surface(false, Normals::found_anew);
-    find_starts();
-    find_places();
-    measure_triangles();
-    if(is_careful_ || from_reference_.settle(mesh_)) return;
-    asks_tree_ = true;
-    measure_triangles();
-  }
-
-  // Each triangle beside one that is measured already, so that its samples are looked for near
-  // those of that one, where no node is known to lie on it.
-  void measure_triangles()
-  {
-    const Index n = Index(s_.surface.triangles().size());
-    foot_.assign(s_.surface.points().size(), -1);
-    std::vector<Index> queue;
-    std::vector<char> seen(std::size_t(n), 0);
-    const auto reach = [&](Index t) {
-      if(t < 0 || seen[t]) return;
-      seen[t] = 1;
-      queue.push_back(t);
-    };
-    for(Index t = 0; t < n; ++t) seen[t] = is_same_triangle(t);
-    for(bool is_known : { true, false })
-      for(Index first = 0; first < n; ++first) {
-        if(seen[first] || (is_known && start_[first] < 0)) continue;
-        queue.clear();
-        reach(first);
-        for(std::size_t i = 0; i < queue.size(); ++i) {
-          measure_triangle(queue[i]);
-          for(int side = 0; side < 3; ++side) reach(s_.surface.neighbour(queue[i], side));
-        }
-      }
-  }
-
-  // Triangles of the mesh beside a node that lies on a triangle of the reference.
-  void find_starts()
-  {
-    start_.assign(s_.surface.triangles().size(), -1);
-    for(std::size_t k = face_of_.size(); k-- > 0;)
-      for(Index v : s_.mesh.quad(face_of_[k])) {
-        const Vertex_record& r = s_.mesh.vertex(v);
-        if(r.carrier == Carrier::surface && r.hint >= 0) start_[r.hint] = Index(2 * k);
-      }
-  }
-
-  void find_places()
-  {
-    place_of_.assign(s_.mesh.face_end(), -1);
-    for(std::size_t k = 0; k < face_of_.size(); ++k) place_of_[face_of_[k]] = Index(k);
-  }
-
-  // Is triangle t one of an input that is its own reference, of a face that has been left as it
-  // was? No point of it is off the mesh then, and its corners lie on the same triangle of the mesh.
-  bool is_same_triangle(Index t)
-  {
-    const Index f = t / 2;
-    if(f >= Index(is_own_.size()) || !is_own_[f]) return false;
-    if(place_of_[f] < 0) return true;
-    for(Index v : s_.surface.triangles()[t])
-      if(foot_[v] < 0) foot_[v] = 2 * place_of_[f] + t % 2;
-    return true;
-  }
-
-  void measure_triangle(Index t)
-  {
-    const std::array<Index, 3> corners = s_.surface.triangles()[t];
-    const std::array<Vec, 3> c = s_.surface.triangle(t);
-    Index hint = start_[t];
-    for(Index v : corners)
-      if(foot_[v] >= 0) hint = foot_[v];
-    if(is_near_enough(c, hint)) {
-      for(Index v : corners)
-        if(foot_[v] < 0) foot_[v] = hint;
-      return;
-    }
-    const int n = s_.surface.has_lift() ? 4 : 2;
-    for(int i = 0; i <= n; ++i)
-      for(int j = 0; i + j <= n; ++j) {
-        const int k = n - i - j, corner = i == n ? 0 : j == n ? 1 : k == n ? 2 : -1;
-        if(corner >= 0 && foot_[corners[corner]] >= 0) continue;
-        measure_back((double(i) / n) * c[0] + (double(j) / n) * c[1] + (double(k) / n) * c[2], t,
-                     hint);
-        if(corner >= 0) foot_[corners[corner]] = hint;
-      }
-    measure_back((c[0] + c[1] + c[2]) / 3, t, hint);
-  }
-
-  // Are all points of a triangle so near to the mesh that they do not matter?  One look tells it of
-  // most where the mesh is much coarser than the reference.
-  bool is_near_enough(const std::array<Vec, 3>& c, Index& hint) const
-  {
-    if(is_careful_ || hint < 0 || s_.surface.has_lift()) return false;
-    const Vec centre = (c[0] + c[1] + c[2]) / 3;
-    const double radius =
-        (std::max)({ distance(c[0], centre), distance(c[1], centre), distance(c[2], centre) });
-    const double enough = from_reference_.threshold() - radius;
-    return enough > radius && mesh_.distance_from(centre, enough, hint) <= enough;
-  }
-
-  void measure_back(Vec p, Index t, Index& hint)
-  {
-    const Vec direction = s_.surface.normal(t);
-    p = s_.surface.lifted(p, t);
-    if(hint < 0) hint = mesh_.find(p, -1, direction);
-    const double enough = is_careful_ ? care_ : from_reference_.threshold();
-    double d = mesh_.distance_from(p, enough, hint);
-    if(!is_careful_ && !asks_tree_) {
-      if(d > enough) from_reference_.doubt(walked_anew(p, t, d, hint), p, -1, direction);
-      return;
-    }
-    if(d > enough && !(is_careful_ && d <= of_face_[face_of_[hint / 2]])) {
-      Index nearer = mesh_.find_nearer(p, -1, direction, d);
-      if(nearer >= 0) {
-        d = (std::min)(d, distance(p, mesh_.project(p, nearer)));
-        hint = nearer;
-      }
-    }
-    note(face_of_[hint / 2], d, from_reference_);
-  }
-
-  // A walk that seems to end far off may have been lost from the triangle before on: so it is done
-  // again from the triangle's own start.
-  double walked_anew(const Vec& p, Index t, double d, Index& hint) const
-  {
-    if(start_[t] < 0) return d;
-    Index other = start_[t];
-    const double again = distance(p, mesh_.project(p, other));
-    if(!(again < d)) return d;
-    hint = other;
-    return again;
   }
 
   const Adaptation_state& s_;
-  double care_;
-  bool is_careful_, asks_tree_ = false;
-  std::vector<double> of_face_;
+  Distances_by_face by_face_;
+  bool asks_tree_ = false;
   Largest_distance to_reference_, from_reference_;
-  Reference_surface mesh_;      // the faces, each cut in two
-  std::vector<Index> face_of_;  // of each pair of triangles
-  std::vector<Index> place_of_; // among those, by face
-  std::vector<char> is_own_;    // is a face two triangles of the reference?
-  std::vector<Index> start_;    // by triangle of the reference: one of the mesh near it, or -1
-  std::vector<Index> foot_;     // by vertex of the reference: the triangle nearest to it
+  std::vector<char> is_own_; // is a face two triangles of the reference?
 };
 
 } // namespace internal

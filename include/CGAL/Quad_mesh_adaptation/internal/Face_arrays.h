@@ -4,6 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_ARRAYS_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
+#include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/boxes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -60,16 +63,7 @@ struct Face_arrays
     return sum;
   }
   // Of the box around all points.
-  double diagonal() const
-  {
-    Vec low = points.at(0), high = low;
-    for(const Vec& p : points) {
-      low = Vec((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z()));
-      high = Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
-                 (std::max)(high.z(), p.z()));
-    }
-    return norm(high - low);
-  }
+  double diagonal() const { return norm(Box(points).extent()); }
 };
 
 // Throws std::invalid_argument, in the name of `who`, for a mesh without faces or a coordinate that
@@ -83,9 +77,8 @@ Face_arrays face_arrays(const PolygonMesh& mesh, const VertexPointMap& point_map
   auto vertex_number = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
   auto halfedge_number = get(CGAL::dynamic_halfedge_property_t<Index>(), mesh);
   for(typename Traits::vertex_descriptor v : vertices(mesh)) {
-    const auto& p = get(point_map, v);
     put(vertex_number, v, Index(a.points.size()));
-    a.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    a.points.push_back(to_vec(get(point_map, v)));
     if(!is_finite(a.points.back()))
       throw std::invalid_argument(who + ": a coordinate is not finite");
   }
@@ -105,6 +98,18 @@ Face_arrays face_arrays(const PolygonMesh& mesh, const VertexPointMap& point_map
     for(typename Traits::halfedge_descriptor h : halfedges_around_face(halfedge(f, mesh), mesh))
       a.opposite.push_back(get(halfedge_number, opposite(h, mesh)));
   return a;
+}
+
+// The same by the parameters `vertex_point_map` and `edge_is_constrained_map`.
+template <class PolygonMesh, class NP>
+Face_arrays face_arrays(const PolygonMesh& mesh, const NP& np, const std::string& who)
+{
+  using Edge = typename boost::graph_traits<PolygonMesh>::edge_descriptor;
+  return face_arrays(
+      mesh, vertex_points(mesh, np),
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
+                                   No_constraints<Edge>()),
+      who);
 }
 
 // The half-edges that leave the origin of h, from feature edge to feature edge or all around.

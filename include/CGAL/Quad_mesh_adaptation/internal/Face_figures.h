@@ -54,8 +54,7 @@ public:
     face_.reserve(m.number_of_faces());
     place_.reserve(m.number_of_faces());
     Index others = 0;
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       face_.push_back(f);
       place_.push_back(is_left(m, f) ? f : -1 - others++);
     }

@@ -4,9 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_PARTS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FACE_PARTS_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Disjoint_sets.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_topology.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -24,18 +24,15 @@ public:
   template <typename Is_link>
   Face_parts(const Quad_topology& m, const Is_link& is_link) : label_(m.face_end(), -1)
   {
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       Index label = -1;
       for(Index h = 4 * f; h < 4 * f + 4; ++h) {
         const Index o = m.opposite(h), g = o < 0 ? f : m.face(o);
-        if(g < f && is_link(h)) label = label < 0 ? root(label_[g]) : united(label, label_[g]);
+        if(!(g < f && is_link(h))) continue;
+        if(label >= 0) labels_.unite(label, label_[g]);
+        label = labels_.find(label_[g]);
       }
-      if(label < 0) {
-        label = Index(parent_.size());
-        parent_.push_back(label);
-      }
-      label_[f] = label;
+      label_[f] = label < 0 ? labels_.add() : label;
     }
     number_parts();
   }
@@ -44,30 +41,19 @@ public:
   Index of(Index f) const { return number_[label_[f]]; }
 
 private:
-  Index root(Index label)
-  {
-    while(parent_[label] != label) label = parent_[label] = parent_[parent_[label]];
-    return label;
-  }
-
-  // Roots have the smallest numbers of their parts, so that they come first.
-  Index united(Index root_of_one, Index other)
-  {
-    other = root(other);
-    const Index low = (std::min)(root_of_one, other);
-    parent_[(std::max)(root_of_one, other)] = low;
-    return low;
-  }
-
+  // A part has the smallest of its labels, which comes first.
   void number_parts()
   {
-    number_.resize(parent_.size());
-    for(Index label = 0; label < Index(parent_.size()); ++label)
-      number_[label] = parent_[label] == label ? Index(size_++) : number_[root(label)];
+    number_.resize(labels_.size());
+    for(Index label = 0; label < Index(labels_.size()); ++label) {
+      const Index first = labels_.find(label);
+      number_[label] = first == label ? Index(size_++) : number_[first];
+    }
   }
 
-  std::vector<Index> label_;           // by face
-  std::vector<Index> parent_, number_; // by label
+  std::vector<Index> label_; // by face
+  Disjoint_sets labels_;
+  std::vector<Index> number_; // by label
   std::size_t size_ = 0;
 };
 

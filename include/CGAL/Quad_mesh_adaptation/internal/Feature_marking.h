@@ -104,9 +104,8 @@ public:
     std::sort(ends.begin(), ends.end());
     auto next = ends.begin();
     std::vector<Index> e;
-    for(Index v = 0; v < m.vertex_end(); ++v) {
+    for(Index v : m.vertices()) {
       Vertex_record& r = m.vertex(v);
-      if(!m.is_vertex(v)) continue;
       for(e.clear(); next != ends.end() && next->first == v; ++next) e.push_back(next->second);
       if(e.empty() && !r.frozen) continue;
       r.carrier = e.size() == 2 && !r.frozen && !turns(v, e[0], e[1]) &&

@@ -60,7 +60,7 @@ public:
   {
     const Index f = mesh_.face[h], g = mesh_.face[mesh_.opposite[h]];
     middle_ = 0.5 * (mesh_.source(h) + mesh_.target(h));
-    angle_ = 2 * 3.14159265358979323846;
+    angle_ = 2 * pi;
     look_around({ f, g }, norm(mesh_.area_vector(f)) + norm(mesh_.area_vector(g)));
   }
 
@@ -83,8 +83,8 @@ public:
   }
 
 private:
-  static constexpr double share = 3 / (2 * 3.14159265358979323846); // of the length
-  static constexpr double far = 3;                                  // mean sides of the triangles
+  static constexpr double share = 3 / (2 * pi); // of the length
+  static constexpr double far = 3;              // mean sides of the triangles
 
   // An edge, seen from the middle.
   struct Fold

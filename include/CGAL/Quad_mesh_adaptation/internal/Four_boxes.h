@@ -5,55 +5,12 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_FOUR_BOXES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Four_floats.h>
+#include <CGAL/Quad_mesh_adaptation/internal/boxes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-struct Box_of_floats
-{
-  std::array<float, 3> low, high;
-
-  // Empty: nothing is near to it.
-  Box_of_floats()
-  {
-    low.fill((std::numeric_limits<float>::max)());
-    high.fill(std::numeric_limits<float>::lowest());
-  }
-  // Rounded outwards.
-  Box_of_floats(const Vec& a, const Vec& b)
-  {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    for(int i = 0; i < 3; ++i) {
-      low[i] = std::nextafter(float(a[i]), -none);
-      high[i] = std::nextafter(float(b[i]), none);
-    }
-  }
-
-  void add(const Box_of_floats& b)
-  {
-    for(int i = 0; i < 3; ++i) {
-      low[i] = (std::min)(low[i], b.low[i]);
-      high[i] = (std::max)(high[i], b.high[i]);
-    }
-  }
-
-  double squared_distance(const Vec& q) const
-  {
-    double sum = 0;
-    for(int i = 0; i < 3; ++i) {
-      const double x = (std::max)({ double(low[i]) - q[i], q[i] - double(high[i]), 0. });
-      sum += x * x;
-    }
-    return sum;
-  }
-};
 
 // A point as one of four boxes sees it: somewhere in a range, for floats are less precise.
 struct Point_of_floats

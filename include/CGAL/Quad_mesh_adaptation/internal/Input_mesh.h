@@ -4,9 +4,11 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_INPUT_MESH_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_INPUT_MESH_H
 
-#include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
+#include <CGAL/Quad_mesh_adaptation/Refusal.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 

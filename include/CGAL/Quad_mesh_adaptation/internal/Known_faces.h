@@ -23,8 +23,8 @@ public:
   void remember(const Adaptation_state& s, const Is_wanted& is_wanted)
   {
     faces_.clear();
-    for(Index f = 0; f < s.mesh.face_end(); ++f)
-      if(s.mesh.is_face(f) && is_wanted(f)) faces_.push_back({ f, s.mesh.quad(f), s.corners(f) });
+    for(Index f : s.mesh.faces())
+      if(is_wanted(f)) faces_.push_back({ f, s.mesh.quad(f), s.corners(f) });
   }
 
   // All that are others, have another shape or are not known.

@@ -71,8 +71,9 @@ private:
   void set_normal(const Vec& n)
   {
     n_ = normalized(n);
-    u_ = normalized(cross(n_, std::abs(n_.x()) < 0.6 ? Vec(1, 0, 0) : Vec(0, 1, 0)));
-    v_ = cross(n_, u_);
+    const auto [u, v] = tangents(n_);
+    u_ = u;
+    v_ = v;
   }
 
   static std::array<double, 9> monomials(double a, double b)

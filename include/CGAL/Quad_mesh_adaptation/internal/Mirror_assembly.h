@@ -89,14 +89,12 @@ private:
   // Two faces that share two edges, or two fans of faces at one vertex: -1 if there are none.
   int find_bad_vertex() const
   {
-    std::vector<Index> out;
-    for(Index v = 0; v < mesh_.vertex_end(); ++v) {
-      if(!mesh_.is_vertex(v) || touched_[v] == 0) continue;
-      mesh_.outgoing(v, out);
+    for(Index v : mesh_.vertices()) {
+      if(touched_[v] == 0) continue;
       const int faces = mesh_.vertex(v).faces;
       const bool doublet = faces < 3 && !mesh_.is_border_vertex(v) &&
                            !(v < Index(in_.points.size()) && whole_.mesh.vertex(v).faces == faces);
-      if(doublet || int(out.size()) != faces) return plane_of(v, v);
+      if(doublet || mesh_.outgoing(v).size() != faces) return plane_of(v, v);
     }
     return -1;
   }
@@ -104,9 +102,9 @@ private:
   // Nodes of former cuts lie on the surface already; what they miss is their triangle.
   void place_on_surface()
   {
-    for(Index v = 0; v < mesh_.vertex_end(); ++v) {
+    for(Index v : mesh_.vertices()) {
       Vertex_record& r = mesh_.vertex(v);
-      if(!mesh_.is_vertex(v) || r.carrier != Carrier::surface || r.hint >= 0) continue;
+      if(r.carrier != Carrier::surface || r.hint >= 0) continue;
       r.hint = whole_.surface.find(r.p, -1, Vec(0, 0, 0));
       r.normal = whole_.surface.normal(r.hint);
     }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -95,6 +96,10 @@ private:
   static bool differ(double a, double b) { return !(std::abs(a - b) <= accuracy * a); }
 
   Index class_of(Index v) const { return lookup_->class_of(v); }
+  Quad classes_of(const Quad& q) const
+  {
+    return { class_of(q[0]), class_of(q[1]), class_of(q[2]), class_of(q[3]) };
+  }
 
   // The quad turned to start at its lowest number, and by how many corners it was turned.
   static std::pair<Quad, int> from_lowest(const Quad& q)
@@ -136,17 +141,16 @@ private:
       p.axis = i;
       p.normal = Vec(i == 0, i == 1, i == 2);
     }
-    double offset = 0, low = 0, high = 0;
-    bool first = true;
+    constexpr double none = std::numeric_limits<double>::infinity();
+    double offset = 0, low = none, high = -none;
     for(std::size_t v = 0; v < image_.size(); ++v) {
       offset += 0.5 * (p.normal * (in_.points[v] + in_.points[image_[v]]));
       if(p.axis < 0 || image_[v] != class_of(Index(v))) continue;
       const double x = in_.points[v][p.axis];
-      low = first ? x : (std::min)(low, x);
-      high = first ? x : (std::max)(high, x);
-      first = false;
+      low = (std::min)(low, x);
+      high = (std::max)(high, x);
     }
-    p.offset = !first && low == high ? low : offset / double(image_.size());
+    p.offset = low == high ? low : offset / double(image_.size());
   }
 
   // Faces in the plane or on both sides of it speak against it.
@@ -164,10 +168,8 @@ private:
   void sort_faces()
   {
     if(!faces_.empty()) return;
-    for(const Quad& q : in_.quads) {
-      const Quad c = { class_of(q[0]), class_of(q[1]), class_of(q[2]), class_of(q[3]) };
-      faces_.emplace_back(from_lowest(c).first, Index(faces_.size()));
-    }
+    for(const Quad& q : in_.quads)
+      faces_.emplace_back(from_lowest(classes_of(q)).first, Index(faces_.size()));
     std::sort(faces_.begin(), faces_.end());
   }
 
@@ -185,10 +187,8 @@ private:
       if(it == faces_.end() || it->first != key) return false;
       if(it + 1 != faces_.end() && (it + 1)->first == key) return false;
       const Index g = it->second;
-      const Quad& r = in_.quads[g];
       p.face_partner[f] = g;
-      const int start =
-          from_lowest({ class_of(r[0]), class_of(r[1]), class_of(r[2]), class_of(r[3]) }).second;
+      const int start = from_lowest(classes_of(in_.quads[g])).second;
       corner_shift_[f] = (start - turn + 4) & 3;
     }
     for(std::size_t f = 0; f < in_.quads.size(); ++f)

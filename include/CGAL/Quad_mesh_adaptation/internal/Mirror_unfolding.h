@@ -43,8 +43,7 @@ public:
     for(Vertex_record& r : vertices_) // the first triangle of its face in the whole
       if(r.hint >= 0 && std::size_t(r.hint / 2) < origin.face.size())
         r.hint = 2 * origin.face[r.hint / 2] + r.hint % 2;
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       Mirrored_face face;
       face.v = m.quad(f);
       for(int i = 0; i < 4; ++i) face.curve[i] = m.curve(4 * f + i);

@@ -65,10 +65,7 @@ private:
       t_[1] = Vec(0, 0, 0);
       return 1;
     }
-    const Vec n = r.normal;
-    const Vec a = std::abs(n.x()) < 0.6 ? Vec(1, 0, 0) : Vec(0, 1, 0);
-    t_[0] = normalized(cross(n, a));
-    t_[1] = cross(n, t_[0]);
+    t_ = tangents(r.normal);
     return 2;
   }
 
@@ -289,7 +286,7 @@ private:
   std::vector<Pull> pulls_;
   double worst_ = 1, wake_ = 0;
   mutable double largest_now_ = -1; // negative: not known
-  mutable Vec t_[2];
+  mutable std::array<Vec, 2> t_;
 };
 
 } // namespace internal

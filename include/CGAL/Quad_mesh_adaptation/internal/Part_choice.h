@@ -4,9 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PART_CHOICE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PART_CHOICE_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_bend.h>
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
-#include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -59,8 +59,7 @@ private:
   {
     faces_.clear();
     inside_.assign(m.face_end(), 0);
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       const Quad q = m.quad(f);
       if(!std::any_of(q.begin(), q.end(), [&](Index v) { return near_[v]; })) continue;
       inside_[f] = 1;
@@ -83,14 +82,9 @@ private:
 
   int number_of_fans(const Quad_complex& m, Index v) const
   {
-    const Index start = m.vertex(v).halfedge;
-    int starts = m.is_border(start) && has(m.face(start)) ? 1 : 0;
-    Index h = start;
-    do {
-      const Index next = m.turn_left(h);
-      if(next >= 0 && has(m.face(next)) && !has(m.face(h))) ++starts;
-      h = next;
-    } while(h >= 0 && h != start);
+    int starts = 0;
+    for(Index h : m.outgoing(v)) // is there none of it clockwise?
+      if(has(m.face(h)) && (m.is_border(h) || !has(m.face(m.opposite(h))))) ++starts;
     return starts;
   }
 

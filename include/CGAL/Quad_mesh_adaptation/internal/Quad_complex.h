@@ -118,6 +118,20 @@ public:
     if(o >= 0) opposite_[o] = h;
   }
 
+  // Half-edge h takes the place of `old` beside another face.
+  void replace(Index old, Index h)
+  {
+    set_opposites(h, opposite_[old]);
+    set_curve(h, curve_[old]);
+  }
+
+  // Vertex v has a face less; `gone`, an outgoing half-edge of it, is replaced by another one.
+  void lose_face(Index v, Index gone, Index other)
+  {
+    --vertices_[v].faces;
+    if(vertices_[v].halfedge == gone) vertices_[v].halfedge = other;
+  }
+
   void remove_face(Index f)
   {
     for(int i = 0; i < 4; ++i) origin_[4 * f + i] = opposite_[4 * f + i] = curve_[4 * f + i] = -1;
@@ -165,14 +179,8 @@ public:
     Index start = h;
     for(Index r = turn_right(h); r >= 0 && r != h; r = turn_right(r)) start = r;
     if(!is_border(start)) start = h;
-    int n = 0;
-    Index c = start;
-    do {
-      ++n;
-      c = turn_left(c);
-    } while(c >= 0 && c != start);
     vertices_[v].halfedge = start;
-    vertices_[v].faces = n;
+    vertices_[v].faces = outgoing(v).size();
   }
 
   // Gives the faces the numbers of their places in `order`, which names each face once, and the
@@ -222,8 +230,7 @@ public:
     std::size_t n = 0;
     for(Index v = 0; v < vertex_end(); ++v) n += is_vertex(v) ? 1 : 0;
     r.vertices_.reserve(n);
-    for(Index v = 0; v < vertex_end(); ++v)
-      if(is_vertex(v)) r.vertices_.push_back(vertices_[v]);
+    for(Index v : vertices()) r.vertices_.push_back(vertices_[v]);
     return r;
   }
 

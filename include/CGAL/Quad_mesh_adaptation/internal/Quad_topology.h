@@ -33,8 +33,10 @@ public:
 
   // sizes of the arrays, deleted records included
   Index face_end() const { return Index(origin_.size() / 4); }
+  Index halfedge_end() const { return Index(origin_.size()); }
   Index vertex_end() const { return Index(vertices_.size()); }
   bool is_face(Index f) const { return origin_[4 * f] >= 0; }
+  bool is_halfedge(Index h) const { return is_face(face(h)); }
   bool is_vertex(Index v) const { return vertices_[v].halfedge >= 0; }
   Index number_of_faces() const { return face_count_; }
 
@@ -51,28 +53,106 @@ public:
 
   Index patch(Index f) const { return patch_[f]; }
 
-  // Outgoing half-edges of v, counter-clockwise from halfedge(v).
-  template <typename Container>
-  void outgoing(Index v, Container& out) const
+  // The numbers of records that exist; those of new ones are met as well.
+  template <Index (Quad_topology::*End)() const, bool (Quad_topology::*Exists)(Index) const>
+  class Record_range
+  {
+  public:
+    class iterator
+    {
+    public:
+      iterator(const Quad_topology* mesh, Index i) : mesh_(mesh), i_(i) { skip_deleted(); }
+      Index operator*() const { return i_; }
+      iterator& operator++()
+      {
+        ++i_;
+        skip_deleted();
+        return *this;
+      }
+      bool operator!=(const iterator&) const { return is_inside(); } // asked of the end only
+
+    private:
+      bool is_inside() const { return i_ < (mesh_->*End)(); }
+      void skip_deleted()
+      {
+        while(is_inside() && !(mesh_->*Exists)(i_)) ++i_;
+      }
+
+      const Quad_topology* mesh_;
+      Index i_;
+    };
+
+    explicit Record_range(const Quad_topology* mesh) : mesh_(mesh) {}
+    iterator begin() const { return { mesh_, 0 }; }
+    iterator end() const { return { mesh_, (mesh_->*End)() }; }
+
+  private:
+    const Quad_topology* mesh_;
+  };
+  using Face_range = Record_range<&Quad_topology::face_end, &Quad_topology::is_face>;
+  using Halfedge_range = Record_range<&Quad_topology::halfedge_end, &Quad_topology::is_halfedge>;
+  using Vertex_range = Record_range<&Quad_topology::vertex_end, &Quad_topology::is_vertex>;
+
+  Face_range faces() const { return Face_range(this); }
+  Halfedge_range halfedges() const { return Halfedge_range(this); }
+  Vertex_range vertices() const { return Vertex_range(this); }
+
+  // Half-edges around a node, found on the way: all that leave it counter-clockwise from `first`,
+  // up to the border.
+  class Outgoing_range
+  {
+  public:
+    class iterator
+    {
+    public:
+      iterator(const Quad_topology* mesh, Index h, Index first) : mesh_(mesh), h_(h), first_(first)
+      {
+      }
+      Index operator*() const { return h_; }
+      iterator& operator++()
+      {
+        h_ = mesh_->turn_left(h_);
+        if(h_ == first_) h_ = -1;
+        return *this;
+      }
+      bool operator!=(const iterator&) const { return h_ >= 0; } // asked of the end only
+
+    private:
+      const Quad_topology* mesh_;
+      Index h_, first_;
+    };
+
+    Outgoing_range(const Quad_topology& mesh, Index first) : mesh_(&mesh), first_(first) {}
+    iterator begin() const { return { mesh_, first_, first_ }; }
+    iterator end() const { return { mesh_, -1, first_ }; }
+    int size() const // counts
+    {
+      int n = 0;
+      for(iterator i = begin(); i != end(); ++i) ++n;
+      return n;
+    }
+
+  private:
+    const Quad_topology* mesh_;
+    Index first_;
+  };
+
+  // Outgoing half-edges of v, counter-clockwise from halfedge(v); at the border that is the first
+  // one.  Links must not change on the way.
+  Outgoing_range outgoing(Index v) const { return { *this, vertices_[v].halfedge }; }
+
+  // The same, to be kept.
+  void outgoing(Index v, std::vector<Index>& out) const
   {
     out.clear();
-    const Index start = vertices_[v].halfedge;
-    Index h = start;
-    do {
-      out.push_back(h);
-      h = turn_left(h);
-    } while(h >= 0 && h != start);
+    for(Index h : outgoing(v)) out.push_back(h);
   }
 
   // The half-edge from u to v, -1 if there is none that has a face on its left.
   Index find_halfedge(Index u, Index v) const
   {
-    const Index start = vertices_[u].halfedge;
-    Index h = start;
-    do {
+    for(Index h : outgoing(u))
       if(target(h) == v) return h;
-      h = turn_left(h);
-    } while(h >= 0 && h != start);
     return -1;
   }
 

@@ -217,18 +217,10 @@ private:
     merged_.halfedge = to_b;
     m.vertex(a_) = merged_;
     s_.disturb(a_);
-    lose_face(b_, n, from_b);
-    lose_face(d_, p, from_d);
+    m.lose_face(b_, n, from_b);
+    m.lose_face(d_, p, from_d);
     m.remove_face(m.face(h_));
     m.remove_vertex(c_);
-  }
-
-  // `gone`, an outgoing half-edge of v, is replaced by another one.
-  void lose_face(Index v, Index gone, Index other)
-  {
-    Vertex_record& r = s_.mesh.vertex(v);
-    --r.faces;
-    if(r.halfedge == gone) r.halfedge = other;
   }
 
   // The faces beside the doublet become one, in the place of the one with the edge from it.
@@ -239,21 +231,13 @@ private:
     const Index from_far = m.next(m.next(to_lost_)), to_a = m.prev(to_lost_);
     const Index side = m.origin(to_a);
     m.set_origin(first, side);
-    replace(to_a, first);
-    replace(from_far, last);
+    m.replace(to_a, first);
+    m.replace(from_far, last);
     if(m.vertex(side).halfedge == to_a) m.vertex(side).halfedge = first;
-    lose_face(far_, from_far, last);
-    lose_face(a_, to_lost_, m.next(first));
+    m.lose_face(far_, from_far, last);
+    m.lose_face(a_, to_lost_, m.next(first));
     m.remove_face(m.face(to_lost_));
     m.remove_vertex(lost_);
-  }
-
-  // Half-edge h takes the place of `old`.
-  void replace(Index old, Index h)
-  {
-    Quad_complex& m = s_.mesh;
-    m.set_opposites(h, m.opposite(old));
-    m.set_curve(h, m.curve(old));
   }
 
   Adaptation_state& s_;

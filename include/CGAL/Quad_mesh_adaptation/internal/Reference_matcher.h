@@ -52,10 +52,9 @@ public:
       move_corner(c.last_corner, c.points().back());
     }
     for(const auto& [v, u] : corner_) move_corner(v, soup_.points[u]);
-    for(Index v = 0; v < s_.mesh.vertex_end(); ++v) {
+    for(Index v : s_.mesh.vertices()) {
       Vertex_record& r = s_.mesh.vertex(v);
-      if(s_.mesh.is_vertex(v) && r.carrier == Carrier::curve)
-        r.param = s_.curves[r.curve].nearest(r.p);
+      if(r.carrier == Carrier::curve) r.param = s_.curves[r.curve].nearest(r.p);
     }
     add_border();
   }

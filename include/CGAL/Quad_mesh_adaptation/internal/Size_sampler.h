@@ -56,17 +56,17 @@ public:
   }
 
   // Wanted edge length of the bilinear face p.
-  double at_face(const std::array<Vec, 4>& p) const
+  double at_face(const Corners& p) const
   {
     if(constant_ > 0) return scale_ * constant_;
-    return at_face(p, at(0.25 * (p[0] + p[1] + p[2] + p[3])));
+    return at_face(p, at(face_centre(p)));
   }
 
   // The same, by what is wanted at its centre.
-  double at_face(const std::array<Vec, 4>& p, double centre) const
+  double at_face(const Corners& p, double centre) const
   {
     if(constant_ > 0) return scale_ * constant_;
-    const Vec c = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+    const Vec c = face_centre(p);
     if(sampling == Size_sampling::centre) return centre;
     const double g = 0.5 / std::sqrt(3.);
     const Vec u = 0.5 * g * (p[1] + p[2] - p[0] - p[3]); // half steps along the two directions

@@ -4,17 +4,8 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_TRIANGLE_TREE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_TRIANGLE_TREE_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/aabb_trees.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
-
-#include <CGAL/AABB_tree.h>
-#include <CGAL/version.h>
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#endif
 
 #include <cstddef>
 #include <utility>
@@ -29,14 +20,6 @@ namespace internal {
 class Triangle_tree
 {
   using Triangle_3 = Core_kernel::Triangle_3;
-  using Iterator = std::vector<Triangle_3>::const_iterator;
-#if CGAL_VERSION_NR >= 1060000000
-  using Primitive = CGAL::AABB_triangle_primitive_3<Core_kernel, Iterator>;
-  using Traits = CGAL::AABB_traits_3<Core_kernel, Primitive>;
-#else
-  using Primitive = CGAL::AABB_triangle_primitive<Core_kernel, Iterator>;
-  using Traits = CGAL::AABB_traits<Core_kernel, Primitive>;
-#endif
 
 public:
   // Precondition: there is at least one triangle.
@@ -56,13 +39,13 @@ public:
     const Core_kernel::Ray_3 ray(Core_kernel::Point_3(origin.x(), origin.y(), origin.z()),
                                  direction);
     const auto found = tree_.first_intersected_primitive(
-        ray, [&](Iterator t) { return skip(Index(t - triangles_.cbegin())); });
+        ray, [&](Triangle_iterator t) { return skip(Index(t - triangles_.cbegin())); });
     return found ? Index(*found - triangles_.cbegin()) : Index(-1);
   }
 
 private:
   std::vector<Triangle_3> triangles_;
-  CGAL::AABB_tree<Traits> tree_;
+  Triangle_aabb_tree tree_;
 };
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_VALUE_TREE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Four_boxes.h>
+#include <CGAL/Quad_mesh_adaptation/internal/boxes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/closest_point.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
@@ -78,17 +79,16 @@ public:
   // Precondition: there is at least one triangle.
   explicit Value_tree(std::vector<Valued_triangle> triangles)
   {
-    Vec low = triangles[0].corners[0], high = low;
-    Sorted sorted;
+    Box all;
+    std::vector<Triangle_centre> sorted;
     sorted.reserve(triangles.size());
     for(const Valued_triangle& t : triangles) {
-      for(const Vec& p : t.corners) grow(low, high, p);
-      const Vec c = (t.corners[0] + t.corners[1] + t.corners[2]) / 3;
-      sorted.push_back({ { c.x(), c.y(), c.z() }, Index(sorted.size()) });
+      for(const Vec& p : t.corners) all.add(p);
+      sorted.push_back({ (t.corners[0] + t.corners[1] + t.corners[2]) / 3, Index(sorted.size()) });
     }
-    origin_ = low;
-    extent_ = high - low;
-    const double longest = (std::max)({ extent_.x(), extent_.y(), extent_.z() });
+    origin_ = all.low;
+    extent_ = all.extent();
+    const double longest = all.longest_side();
     inverse_ = longest > 0 ? 1 / longest : 1;
     to_bound_ = Point_of_floats::allowance * inverse_ * inverse_;
     while((std::size_t(4) << halvings_) < triangles.size()) ++halvings_;
@@ -102,7 +102,7 @@ public:
     first_triangle_.resize(std::size_t(1) << halvings_);
     build(0, 0, 0, triangles.size(), sorted, triangles);
     triangles_.reserve(sorted.size());
-    for(const Centre& c : sorted) triangles_.push_back(triangles[c.triangle]);
+    for(const Triangle_centre& c : sorted) triangles_.push_back(triangles[c.triangle]);
   }
 
   // In the order of the tree.
@@ -216,23 +216,10 @@ private:
     return both;
   }
 
-  struct Centre // of a triangle
-  {
-    std::array<double, 3> p;
-    Index triangle;
-  };
-  using Sorted = std::vector<Centre>;
-
-  static void grow(Vec& low, Vec& high, const Vec& p)
-  {
-    low = Vec((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z()));
-    high =
-        Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()), (std::max)(high.z(), p.z()));
-  }
-
   // Fills a node and those below with the triangles from first to last; returns the box of all.
   Box_of_floats build(std::uint32_t level, std::uint32_t node, std::size_t first, std::size_t last,
-                      Sorted& sorted, const std::vector<Valued_triangle>& triangles)
+                      std::vector<Triangle_centre>& sorted,
+                      const std::vector<Valued_triangle>& triangles)
   {
     std::array<Box_of_floats, 4> boxes;
     if(level == last_level_) {
@@ -258,29 +245,8 @@ private:
 
   Box_of_floats box_around(const Valued_triangle& t) const
   {
-    Vec low = t.corners[0], high = low;
-    for(const Vec& p : t.corners) grow(low, high, p);
-    return Box_of_floats(inverse_ * (low - origin_), inverse_ * (high - origin_));
-  }
-
-  // Sorts the triangles into two halves along their longest extent; returns the middle.
-  static std::size_t halve(Sorted& sorted, std::size_t first, std::size_t last)
-  {
-    const auto at = [&](std::size_t i) { return sorted.begin() + std::ptrdiff_t(i); };
-    const std::size_t middle = first + (last - first) / 2;
-    std::array<double, 3> low = at(first)->p, high = low, size;
-    for(int i = 0; i < 3; ++i) {
-      for(auto c = at(first); c != at(last); ++c) {
-        low[i] = (std::min)(low[i], c->p[i]);
-        high[i] = (std::max)(high[i], c->p[i]);
-      }
-      size[i] = high[i] - low[i];
-    }
-    const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-    std::nth_element(at(first), at(middle), at(last), [axis](const Centre& s, const Centre& t) {
-      return s.p[axis] < t.p[axis] || (s.p[axis] == t.p[axis] && s.triangle < t.triangle);
-    });
-    return middle;
+    const Box box(t.corners);
+    return { inverse_ * (box.low - origin_), inverse_ * (box.high - origin_) };
   }
 
   std::vector<Valued_triangle> triangles_;

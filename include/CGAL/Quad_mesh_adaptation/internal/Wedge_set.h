@@ -38,12 +38,9 @@ public:
   void choose_narrow(double widest)
   {
     const Quad_complex& m = s_.mesh;
-    std::vector<Index> out;
-    for(Index v : huge_nodes(m)) {
-      m.outgoing(v, out);
-      for(Index spoke : out)
+    for(Index v : huge_nodes(m))
+      for(Index spoke : m.outgoing(v))
         if(has_room(spoke)) consider(spoke, widest);
-    }
   }
 
   // Is face f of a wedge that is chosen?
@@ -249,14 +246,10 @@ private:
   bool shares_a_face(Index v, const Index (&nodes)[4]) const
   {
     const Quad_complex& m = s_.mesh;
-    const Index start = m.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : m.outgoing(v))
       if(wedge_of_face_[m.face(h)] < 0)
         for(Index u : m.quad(m.face(h)))
           if(u != v && std::find(nodes, nodes + 4, u) != nodes + 4) return true;
-      h = m.turn_left(h);
-    } while(h >= 0 && h != start);
     return false;
   }
 

@@ -203,14 +203,12 @@ private:
   {
     const Index frozen = Index(s_.curves.size()) - 1;
     const auto there = [&](Index h) { return 4 * face_[part_.face(h)] + (h & 3); };
-    for(Index f = 0; f < part_.face_end(); ++f) {
-      if(!part_.is_face(f)) continue;
+    for(Index f : part_.faces()) {
       const Quad q = part_.quad(f);
       whole_.set_quad(face_[f], { node_[q[0]], node_[q[1]], node_[q[2]], node_[q[3]] });
       whole_.set_patch(face_[f], part_.patch(f));
     }
-    for(Index h = 0; h < 4 * part_.face_end(); ++h) {
-      if(!part_.is_face(part_.face(h))) continue;
+    for(Index h : part_.halfedges()) {
       const Index o = part_.opposite(h), c = part_.curve(h);
       if(o < 0 && c == frozen) {
         const Index outside = outside_[part_.origin(h)];
@@ -225,8 +223,7 @@ private:
 
   void write_nodes()
   {
-    for(Index h = 0; h < 4 * part_.face_end(); ++h) {
-      if(!part_.is_face(part_.face(h))) continue;
+    for(Index h : part_.halfedges()) {
       const Index v = part_.origin(h);
       if(part_.vertex(v).halfedge != h) continue; // once for each
       Vertex_record& r = whole_.vertex(node_[v]);

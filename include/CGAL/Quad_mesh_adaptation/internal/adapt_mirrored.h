@@ -90,16 +90,14 @@ struct Mirror_goal
 inline std::size_t count_faults(const Adaptation_state& s, double limit)
 {
   std::size_t faults = 0;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && s.size_ratio(f) * s.size.scale() > limit && !is_beyond_help(s, f))
-      ++faults;
+  for(Index f : s.mesh.faces())
+    if(s.size_ratio(f) * s.size.scale() > limit && !is_beyond_help(s, f)) ++faults;
   // in a large mesh a few of these are not worth another solution
   constexpr Index many = 20000;
-  constexpr double poor = 0.45;
   if(s.mesh.number_of_faces() > many) return faults;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && faces_too_many(s, v) > 0) ++faults;
-  for(const Poor_face& p : poor_shapes(s, poor))
+  for(Index v : s.mesh.vertices())
+    if(faces_too_many(s, v) > 0) ++faults;
+  for(const Poor_face& p : poor_shapes(s, Poor_face::floor))
     if(p.limit == Shape_limit::none) ++faults;
   return faults;
 }

@@ -23,8 +23,8 @@ inline void advise_on_features(const Adaptation_state& s, Adaptation_report& rep
   const double faces = double(report.after.faces);
   if(double(report.after.size_ratio.counts[0]) <= many * faces) return; // those below a half
   std::size_t small = 0, beside = 0;
-  for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f) || s.size_ratio(f) * s.size.scale() >= far_too_small) continue;
+  for(Index f : s.mesh.faces()) {
+    if(s.size_ratio(f) * s.size.scale() >= far_too_small) continue;
     const Quad q = s.mesh.quad(f);
     ++small;
     if(std::any_of(q.begin(), q.end(),

@@ -76,8 +76,8 @@ inline std::vector<std::vector<Border_node>> border_nodes(const Adaptation_state
 {
   const Quad_complex& m = s.mesh;
   std::vector<std::vector<Border_node>> nodes(s.curves.size());
-  for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && m.is_border(h)) append_border_node(s, h, nodes[m.curve(h)]);
+  for(Index h : m.halfedges())
+    if(m.is_border(h)) append_border_node(s, h, nodes[m.curve(h)]);
   return nodes;
 }
 
@@ -102,11 +102,7 @@ inline void smooth_curve(Adaptation_state& s, Index c, const std::vector<Border_
       r.param += 0.5 * (wa * a + wb * b) / (std::max)(wa, wb);
       s.place(r);
     }
-  std::vector<Index> out;
-  for(const Border_node& n : nodes) {
-    m.outgoing(n.node, out);
-    for(Index h : out) s.face_moved(m.face(h));
-  }
+  for(const Border_node& n : nodes) s.node_moved(n.node);
 }
 
 // A chord whose end edges are too short, and stay short enough when their neighbours take over
@@ -129,8 +125,8 @@ inline double removal_rank(const Adaptation_state& s, const Chord& c)
 inline std::vector<Index> short_border_edges(const Adaptation_state& s)
 {
   std::vector<std::pair<double, Index>> ranked;
-  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h) {
-    if(!s.mesh.is_face(s.mesh.face(h)) || !s.mesh.is_border(h)) continue;
+  for(Index h : s.mesh.halfedges()) {
+    if(!s.mesh.is_border(h)) continue;
     const double ratio = edge_ratio(s, h);
     if(ratio < short_edge) ranked.push_back({ ratio, h });
   }

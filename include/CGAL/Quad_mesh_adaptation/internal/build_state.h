@@ -54,8 +54,6 @@ public:
   }
 
 private:
-  static constexpr double pi = 3.14159265358979323846;
-
   void make_complex()
   {
     Quad_complex& m = s_.mesh;
@@ -85,16 +83,8 @@ private:
   void check_umbrellas() const
   {
     const Quad_complex& m = s_.mesh;
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      if(!m.is_vertex(v)) continue;
-      const Index start = m.vertex(v).halfedge;
-      int faces = 0;
-      Index h = start;
-      do {
-        ++faces;
-        h = m.turn_left(h);
-      } while(h >= 0 && h != start);
-      if(faces != m.vertex(v).faces)
+    for(Index v : m.vertices()) {
+      if(m.outgoing(v).size() != m.vertex(v).faces)
         throw Refused{ Refusal::non_manifold, "joins parts of the mesh that share no edge there",
                        -1, v };
     }
@@ -140,13 +130,11 @@ private:
     s_.surface = Reference_surface(reference.points, reference.triangles, match.sharp());
     if(!s_.surface.is_planar()) match_patches();
     lift_surface(match.edges(), geometry);
-    std::vector<Index> out;
-    for(Index v = 0; v < m.vertex_end(); ++v) {
+    for(Index v : m.vertices()) {
       Vertex_record& r = m.vertex(v);
-      if(!m.is_vertex(v) || r.carrier != Carrier::surface || s_.surface.is_planar()) continue;
+      if(r.carrier != Carrier::surface || s_.surface.is_planar()) continue;
       Vec n(0, 0, 0);
-      m.outgoing(v, out);
-      for(Index h : out) n = n + area_vector(s_.corners(m.face(h)));
+      for(Index h : m.outgoing(v)) n = n + area_vector(s_.corners(m.face(h)));
       r.hint = s_.surface.find(r.p, s_.reference_patch[m.patch(m.face(r.halfedge))], n);
     }
   }
@@ -160,7 +148,7 @@ private:
     std::size_t fit = 0;
     for(std::size_t i = 0; n >= large && i < samples; ++i) {
       const Corners p = s_.corners(Index(i * n / samples));
-      const double ratio = mean_edge_length(p) / s_.size.at(0.25 * (p[0] + p[1] + p[2] + p[3]));
+      const double ratio = mean_edge_length(p) / s_.size.at(face_centre(p));
       fit += ratio > 0.5 && ratio < 1.05 ? 1 : 0;
     }
     return 10 * fit >= 9 * samples;
@@ -174,7 +162,7 @@ private:
     std::vector<std::vector<Index>> found(s_.given_patch.size());
     for(Index f = 0; f < m.face_end(); ++f) {
       const Corners p = s_.corners(f);
-      const Index t = s_.surface.find(0.25 * (p[0] + p[1] + p[2] + p[3]), -1, area_vector(p));
+      const Index t = s_.surface.find(face_centre(p), -1, area_vector(p));
       found[m.patch(f)].push_back(s_.surface.patch(t));
     }
     s_.reference_patch.assign(found.size(), -1);
@@ -204,8 +192,7 @@ private:
   void place_nodes(bool is_own)
   {
     Quad_complex& m = s_.mesh;
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      if(!m.is_vertex(v)) continue;
+    for(Index v : m.vertices()) {
       Vertex_record& r = m.vertex(v);
       const Vec given = r.p;
       if(is_own && s_.is_own_vertex(v) && has_corner(r.hint, v)) {
@@ -230,16 +217,13 @@ private:
   void set_ideal_valences()
   {
     Quad_complex& m = s_.mesh;
-    std::vector<Index> out;
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      if(!m.is_vertex(v)) continue;
+    for(Index v : m.vertices()) {
       Vertex_record& r = m.vertex(v);
       const bool border = m.is_border_vertex(v);
       r.ideal_faces = border ? 2 : 4;
       if(r.carrier != Carrier::corner) continue;
       double angle = 0;
-      m.outgoing(v, out);
-      for(Index h : out) angle += corner_angle(h);
+      for(Index h : m.outgoing(v)) angle += corner_angle(h);
       r.ideal_faces = std::int16_t((std::max)(1L, std::lround(angle / (pi / 2))));
     }
   }

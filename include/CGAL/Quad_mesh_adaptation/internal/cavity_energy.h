@@ -40,12 +40,8 @@ inline int Cavity::side_difference_after(int n) const
   for(int i = first_corner(n); i < corner_end_[n]; ++i)
     sides.add(m.patch(quads[corner_list_[i] >> 2].parent));
   if(ids[n] < 0) return sides.difference();
-  const Index start = m.vertex(ids[n]).halfedge;
-  Index h = start;
-  do {
+  for(Index h : m.outgoing(ids[n]))
     if(!has_old_face(m.face(h))) sides.add(m.patch(m.face(h)));
-    h = m.turn_left(h);
-  } while(h >= 0 && h != start);
   return sides.difference();
 }
 
@@ -160,9 +156,7 @@ inline bool Cavity::is_within_bound_after() const
   for(const Cavity_quad& q : quads) {
     const Corners p = corners_of(q);
     Index hint = hint_for(q);
-    if(!s_.surface.is_planar() &&
-       !s_.surface.is_within(0.25 * (p[0] + p[1] + p[2] + p[3]), bound, hint))
-      return false;
+    if(!s_.surface.is_planar() && !s_.surface.is_within(face_centre(p), bound, hint)) return false;
     for(int i = 0; i < 4; ++i) {
       const int a = q.v[i], b = q.v[(i + 1) & 3];
       if(q.curve[i] >= 0) {

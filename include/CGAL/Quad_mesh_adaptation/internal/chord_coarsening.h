@@ -50,12 +50,11 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     std::vector<float> ratio(m.face_end(), 0);
-    for(Index f = 0; f < m.face_end(); ++f)
-      if(m.is_face(f)) ratio[f] = float(s_.size_ratio(f));
+    for(Index f : m.faces()) ratio[f] = float(s_.size_ratio(f));
     std::vector<char> seen(4 * std::size_t(m.face_end()), 0);
     std::vector<std::pair<float, Index>> list; // rounded: equals are told by the order
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(!m.is_face(m.face(h)) || seen[h]) continue;
+    for(Index h : m.halfedges()) {
+      if(seen[h]) continue;
       const Chord c = chord_through(m, h);
       double width = 0, size = 0;
       bool may_go = true;

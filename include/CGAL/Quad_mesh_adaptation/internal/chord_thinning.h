@@ -57,12 +57,12 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     faces_.assign(m.vertex_end(), 0);
-    for(Index f = 0; f < m.face_end(); ++f)
-      if(m.is_face(f) && !rows_.removes(f))
+    for(Index f : m.faces())
+      if(!rows_.removes(f))
         for(Index v : m.quad(f)) ++faces_[nodes_.image(v)];
     std::vector<Index> faulty;
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f) || rows_.removes(f) || !is_touched(f)) continue;
+    for(Index f : m.faces()) {
+      if(rows_.removes(f) || !is_touched(f)) continue;
       if(!is_well_shaped(f) || !has_good_nodes(f)) faulty.push_back(f);
     }
     if(faulty.empty()) find_mismatches(faulty);
@@ -129,8 +129,8 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     std::vector<char> is_seen(m.vertex_end(), 0);
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(!m.is_face(m.face(h)) || rows_.removes(m.face(h))) continue;
+    for(Index h : m.halfedges()) {
+      if(rows_.removes(m.face(h))) continue;
       const Index v = nodes_.image(m.origin(h));
       if(is_seen[v] || !nodes_.is_merged(v)) continue;
       is_seen[v] = 1;
@@ -168,8 +168,7 @@ private:
     Quad_complex& m = s_.mesh;
     std::vector<std::pair<Index, Index>> pairs;
     std::vector<Index> gone;
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       if(rows_.removes(f)) {
         gone.push_back(f);
         continue;
@@ -183,8 +182,7 @@ private:
       m.set_opposites(p.first, p.second);
       m.set_curve(p.first, m.curve(p.first));
     }
-    for(Index h = 0; h < 4 * m.face_end(); ++h)
-      if(m.is_face(m.face(h))) m.set_origin(h, nodes_.image(m.origin(h)));
+    for(Index h : m.halfedges()) m.set_origin(h, nodes_.image(m.origin(h)));
     for(Index f : gone) m.remove_face(f);
     for(Index v = 0; v < m.vertex_end(); ++v)
       if(nodes_.is_merged(v)) {

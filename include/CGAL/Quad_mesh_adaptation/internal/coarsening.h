@@ -20,8 +20,8 @@ namespace internal {
 // Does a crease run through the mesh, or the part of it that is there?
 inline bool has_creases(const Adaptation_state& s)
 {
-  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h) {
-    if(!s.mesh.is_face(s.mesh.face(h)) || s.mesh.curve(h) < 0) continue;
+  for(Index h : s.mesh.halfedges()) {
+    if(s.mesh.curve(h) < 0) continue;
     const Feature_curve& c = s.curves[s.mesh.curve(h)];
     if(!c.is_border() && !c.is_frozen()) return true;
   }

@@ -4,6 +4,8 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COLOUR_MAP_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_COLOUR_MAP_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +29,7 @@ inline double screen_value(double linear)
 // equal length in it look equal.
 inline Colour from_oklch(double lightness, double chroma, double hue)
 {
-  const double angle = hue * 3.14159265358979323846 / 180;
+  const double angle = hue * pi / 180;
   const double a = chroma * std::cos(angle), b = chroma * std::sin(angle);
   const auto cube = [](double v) { return v * v * v; };
   const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b);

@@ -47,12 +47,7 @@ inline int side_difference(const Adaptation_state& s, Index v)
   const Quad_complex& m = s.mesh;
   if(!is_on_crease(s, m.vertex(v))) return 0;
   Side_count sides;
-  const Index start = m.vertex(v).halfedge;
-  Index h = start;
-  do {
-    sides.add(m.patch(m.face(h)));
-    h = m.turn_left(h);
-  } while(h >= 0 && h != start);
+  for(Index h : m.outgoing(v)) sides.add(m.patch(m.face(h)));
   return sides.difference();
 }
 

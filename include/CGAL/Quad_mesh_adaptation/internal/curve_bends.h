@@ -9,6 +9,7 @@
 // the input that sit there are held there; where the edges are short against those of the polyline,
 // the nearest nodes are moved there before the end.
 
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_bend.h>
 #include <CGAL/Quad_mesh_adaptation/internal/large_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
 
@@ -21,37 +22,10 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-struct Curve_bend
-{
-  double arc;                  // where on the curve
-  double shorter, mean_length; // of the two edges of the polyline
-  double turn;                 // radians
-
-  // The share of its length that the curve loses at worst if edges as long as h pass it by.
-  double loss(double h) const { return turn * turn / 8 * (std::min)(1., h / mean_length); }
-};
-
-constexpr double curve_loss_allowed = 7e-4;
-
-// The bends of a curve that cost more than they may if nodes pass them by.
-inline std::vector<Curve_bend> bends_of(const Feature_curve& c)
-{
-  const std::vector<Vec>& p = c.points();
-  const std::size_t n = p.size() - 1;
-  std::vector<Curve_bend> bends;
-  for(std::size_t i = c.is_closed() ? 0 : 1; i < n; ++i) {
-    const Vec a = p[i] - p[i == 0 ? n - 1 : i - 1], b = p[i + 1] - p[i];
-    const double turn = angle_between(a, b), la = norm(a), lb = norm(b);
-    if(turn * turn / 8 > curve_loss_allowed)
-      bends.push_back({ c.arcs()[i], (std::min)(la, lb), 0.5 * (la + lb), turn });
-  }
-  return bends;
-}
-
 inline void release_bends(Adaptation_state& s)
 {
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && is_held_at_bend(s.mesh.vertex(v))) s.mesh.vertex(v).frozen = false;
+  for(Index v : s.mesh.vertices())
+    if(is_held_at_bend(s.mesh.vertex(v))) s.mesh.vertex(v).frozen = false;
 }
 
 class Curve_bends
@@ -62,10 +36,9 @@ public:
     if(s.curve_lift) return; // the polyline is not what the nodes are on
     for(std::size_t c = 0; c < bends_.size(); ++c)
       if(!s.curves[c].is_frozen() && !s.curves[c].is_cut) bends_[c] = bends_of(s.curves[c]);
-    for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
+    for(Index v : s.mesh.vertices()) {
       const Vertex_record& r = s.mesh.vertex(v);
-      if(s.mesh.is_vertex(v) && r.carrier == Carrier::curve && !bends_[r.curve].empty())
-        nodes_[r.curve].push_back(v);
+      if(r.carrier == Carrier::curve && !bends_[r.curve].empty()) nodes_[r.curve].push_back(v);
     }
     for(std::vector<Index>& nodes : nodes_)
       std::sort(nodes.begin(), nodes.end(), [&](Index u, Index v) { return param(u) < param(v); });
@@ -269,24 +242,16 @@ private:
   double worst_about(Index v) const
   {
     double worst = 1;
-    const Index start = s_.mesh.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : s_.mesh.outgoing(v)) {
       const Index f = s_.mesh.face(h);
       worst = (std::min)(worst, s_.face_quality(s_.corners(f), s_.reference_normal(f)));
-      h = s_.mesh.turn_left(h);
-    } while(h >= 0 && h != start);
+    }
     return worst;
   }
 
   void tell_neighbours(Index v)
   {
-    const Index start = s_.mesh.vertex(v).halfedge;
-    Index h = start;
-    do {
-      s_.face_moved(s_.mesh.face(h));
-      h = s_.mesh.turn_left(h);
-    } while(h >= 0 && h != start);
+    s_.node_moved(v);
     if(!s_.coverage.is_empty()) share_witnesses(s_, v);
     disturb_around(s_, v);
     s_.stir(v);

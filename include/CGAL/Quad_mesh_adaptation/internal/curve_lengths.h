@@ -4,7 +4,8 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CURVE_LENGTHS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CURVE_LENGTHS_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_bend.h>
 
 #include <cstddef>
 #include <vector>
@@ -39,8 +40,8 @@ inline std::vector<char> curves_that_kept_length(const Adaptation_state& s)
   constexpr double tolerance = 1e-3;
   const Quad_complex& m = s.mesh;
   std::vector<double> length(s.curves.size(), 0);
-  for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && m.curve(h) >= 0 && m.opposite(h) < h) // each edge once
+  for(Index h : m.halfedges())
+    if(m.curve(h) >= 0 && m.opposite(h) < h) // each edge once
       length[m.curve(h)] += distance(m.point(m.origin(h)), m.point(m.target(h)));
   std::vector<char> kept;
   for(std::size_t c = 0; c < length.size(); ++c)

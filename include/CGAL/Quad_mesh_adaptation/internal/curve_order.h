@@ -21,14 +21,12 @@ inline std::array<Index, 2> curve_neighbours(const Quad_complex& m, Index v, Ind
 {
   std::array<Index, 2> found = { -1, -1 };
   int n = 0;
-  const Index start = m.vertex(v).halfedge;
-  Index h = start, last = h;
-  do {
+  Index last = -1;
+  for(Index h : m.outgoing(v)) {
     if(m.curve(h) == c && n < 2) found[n++] = m.target(h);
-    last = h;
-    h = m.turn_left(h);
-  } while(h >= 0 && h != start);
-  if(h < 0 && n < 2 && m.curve(m.prev(last)) == c) found[n] = m.origin(m.prev(last));
+    last = m.prev(h);
+  }
+  if(m.is_border(last) && n < 2 && m.curve(last) == c) found[n] = m.origin(last);
   return found;
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_clock.h>
+#include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
@@ -33,14 +34,12 @@ namespace internal {
 template <typename Point, typename SizingField>
 Size_sampler make_sampler(const SizingField& sizing)
 {
+  double constant = 0; // is none
   if constexpr(std::is_arithmetic_v<SizingField>) {
-    const double h = double(sizing);
-    if(!(std::isfinite(h) && h > 0)) throw Bad_size{ Vec(0, 0, 0), h };
-    return Size_sampler([h](const Vec&) { return h; }, h);
-  } else {
-    return Size_sampler(
-        [&sizing](const Vec& p) { return CGAL::to_double(sizing(Point(p.x(), p.y(), p.z()))); }, 0);
+    constant = double(sizing);
+    if(!(std::isfinite(constant) && constant > 0)) throw Bad_size{ Vec(0, 0, 0), constant };
   }
+  return Size_sampler(size_function<Point>(sizing), constant);
 }
 
 inline std::string describe(const Bad_projection& e)

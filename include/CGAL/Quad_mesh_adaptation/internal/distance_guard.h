@@ -25,7 +25,7 @@ inline double distance_of_face(const Adaptation_state& s, const Corners& p, Inde
 {
   if(s.surface.is_planar()) return 0;
   const auto off = [&](const Vec& q) { return distance(q, s.surface.project(q, hint)); };
-  double largest = off(0.25 * (p[0] + p[1] + p[2] + p[3]));
+  double largest = off(face_centre(p));
   for(int i = 0; i < 4; ++i) largest = (std::max)(largest, off(0.5 * (p[i] + p[(i + 1) & 3])));
   return largest;
 }
@@ -77,8 +77,7 @@ inline bool is_within_bound(const Adaptation_state& s, Index h)
   const Index f = m.face(h);
   const Corners p = s.corners(f);
   Index hint = s.triangle_near(f, p[h & 3]);
-  if(!s.surface.is_planar() &&
-     !s.surface.is_within(0.25 * (p[0] + p[1] + p[2] + p[3]), s.max_distance, hint))
+  if(!s.surface.is_planar() && !s.surface.is_within(face_centre(p), s.max_distance, hint))
     return false;
   for(Index g : { h, m.prev(h) }) {
     const Index a = m.origin(g), b = m.target(g);
@@ -94,12 +93,8 @@ inline bool is_within_bound(const Adaptation_state& s, Index h)
 // All of these about vertex v, all that a move of v changes.
 inline bool is_within_bound_about(const Adaptation_state& s, Index v)
 {
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
+  for(Index h : s.mesh.outgoing(v))
     if(!is_within_bound(s, h)) return false;
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
   return true;
 }
 
@@ -120,12 +115,7 @@ inline double distance_of(const Adaptation_state& s, Index f)
 inline double distance_about(const Adaptation_state& s, Index v)
 {
   double largest = 0;
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
-    largest = (std::max)(largest, distance_of(s, s.mesh.face(h)));
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
+  for(Index h : s.mesh.outgoing(v)) largest = (std::max)(largest, distance_of(s, s.mesh.face(h)));
   return largest;
 }
 

@@ -39,8 +39,8 @@ struct Far_faces
   explicit Far_faces(const Adaptation_state& s)
   {
     const Distance_measure distances(s, s.max_distance);
-    for(Index f = 0; f < s.mesh.face_end(); ++f) {
-      if(!s.mesh.is_face(f) || !(distances.of(f) > s.max_distance)) continue;
+    for(Index f : s.mesh.faces()) {
+      if(!(distances.of(f) > s.max_distance)) continue;
       faces.push_back(f);
       excess += distances.of(f) / s.max_distance - 1;
     }

@@ -66,8 +66,8 @@ private:
 
   void mark_wishes()
   {
-    for(Index h = 0; h < 4 * m_.face_end(); ++h) {
-      if(!(wish_[h] < 0) || !m_.is_face(m_.face(h)) || !is_lower(h)) continue;
+    for(Index h : m_.halfedges()) {
+      if(!(wish_[h] < 0) || !is_lower(h)) continue;
       const Index o = m_.opposite(h);
       split_[h] = 1;
       odd_[port(h)] ^= 1;
@@ -109,8 +109,8 @@ private:
   void list_near(bool is_whole)
   {
     near_.clear();
-    for(Index f = 0; f < m_.face_end(); ++f)
-      if(m_.is_face(f) && (is_whole || number_[f] >= 0)) {
+    for(Index f : m_.faces())
+      if(is_whole || number_[f] >= 0) {
         number_[f] = Index(near_.size());
         near_.push_back(f);
       }
@@ -214,8 +214,8 @@ inline std::vector<double> split_ratios(const Adaptation_state& s, const Marking
 {
   const Quad_complex& m = s.mesh;
   std::vector<double> ratio(4 * std::size_t(m.face_end()), 0.);
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h)) || (m.opposite(h) >= 0 && m.opposite(h) < h)) continue;
+  for(Index h : m.halfedges()) {
+    if(m.opposite(h) >= 0 && m.opposite(h) < h) continue;
     const bool is_inside = s.is_to_work_on(m.origin(h)) && s.is_to_work_on(m.target(h));
     ratio[h] =
         only_inside && !is_inside ? std::numeric_limits<double>::infinity() : split_ratio(s, o, h);

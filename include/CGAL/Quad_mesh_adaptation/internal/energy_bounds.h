@@ -46,7 +46,7 @@ public:
   double slack(Index v) const
   {
     double sum = 0;
-    for_each_face_about(v, [&](Index f) { sum += s_.cached_energy(f) - s_.energy.face; });
+    for(Index h : s_.mesh.outgoing(v)) sum += s_.cached_energy(s_.mesh.face(h)) - s_.energy.face;
     return sum;
   }
 
@@ -58,27 +58,15 @@ public:
   {
     double squares = -squares_in(f); // f is about both
     int faces = -2;
-    const auto add = [&](Index g) {
-      squares += squares_in(g);
-      ++faces;
-    };
-    for_each_face_about(a, add);
-    for_each_face_about(c, add);
+    for(Index v : { a, c })
+      for(Index h : s_.mesh.outgoing(v)) {
+        squares += squares_in(s_.mesh.face(h));
+        ++faces;
+      }
     return faces > 0 ? faces * s_.energy.oversize_cost(std::sqrt(squares / faces)) : 0.;
   }
 
 private:
-  template <typename Visit>
-  void for_each_face_about(Index v, const Visit& visit) const
-  {
-    const Index start = s_.mesh.vertex(v).halfedge;
-    Index h = start;
-    do {
-      visit(s_.mesh.face(h));
-      h = s_.mesh.turn_left(h);
-    } while(h >= 0 && h != start);
-  }
-
   double side_change(Index v, int d) const
   {
     const int before = std::abs(side_difference(s_, v));

@@ -6,7 +6,8 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Attainable_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
-#include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/edge_marking.h>
+#include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +41,7 @@ inline double count_of_even_halvings(const Adaptation_state& s)
   const double too_small = 0.5 * std::sqrt(2.) * Marking_options().threshold;
   const Quad_complex& m = s.mesh;
   std::vector<double> ratios;
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f)) ratios.push_back(s.size_ratio(f));
+  for(Index f : m.faces()) ratios.push_back(s.size_ratio(f));
   const double largest = *std::max_element(ratios.begin(), ratios.end());
   const double parts = std::exp2(std::ceil(std::log2(largest) - 1e-9)); // per edge
   if(!(parts > 1)) return 0;

@@ -14,8 +14,6 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-using Corners = std::array<Vec, 4>;
-
 // Mean of the four edge lengths, eq. 1 of the paper.
 inline double mean_edge_length(const Corners& p)
 {

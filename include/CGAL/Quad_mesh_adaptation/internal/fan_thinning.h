@@ -109,8 +109,7 @@ inline double largest_distance_if_limited(const Adaptation_state& s)
 {
   double largest = 0;
   if(!is_distance_limited(s)) return largest;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) largest = (std::max)(largest, distance_of(s, f));
+  for(Index f : s.mesh.faces()) largest = (std::max)(largest, distance_of(s, f));
   return largest;
 }
 

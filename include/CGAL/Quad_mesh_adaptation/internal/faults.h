@@ -21,25 +21,23 @@ constexpr double far_too_small = 0.5; // a size ratio
 inline std::vector<Index> faces_too_large(const Adaptation_state& s, double limit = size_tolerance)
 {
   std::vector<Index> list;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && s.size_ratio(f) > limit) list.push_back(f);
+  for(Index f : s.mesh.faces())
+    if(s.size_ratio(f) > limit) list.push_back(f);
   return list;
 }
 
 inline double worst_quality(const Adaptation_state& s)
 {
   double worst = 1;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f))
-      worst = (std::min)(worst, s.face_quality(s.corners(f), s.reference_normal(f)));
+  for(Index f : s.mesh.faces())
+    worst = (std::min)(worst, s.face_quality(s.corners(f), s.reference_normal(f)));
   return worst;
 }
 
 inline double least_scaled_jacobian(const Adaptation_state& s)
 {
   double least = 1;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) least = (std::min)(least, scaled_jacobian(s.corners(f)));
+  for(Index f : s.mesh.faces()) least = (std::min)(least, scaled_jacobian(s.corners(f)));
   return least;
 }
 

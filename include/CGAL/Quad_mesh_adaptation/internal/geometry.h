@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_GEOMETRY_H
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
@@ -21,6 +22,9 @@ using Core_kernel = CGAL::Simple_cartesian<double>;
 using Vec = Core_kernel::Vector_3; // a position or a difference of positions
 using Index = std::int32_t;        // vertex, face or half-edge number; -1 is none
 using Quad = std::array<Index, 4>;
+using Corners = std::array<Vec, 4>; // of a face
+
+constexpr double pi = 3.14159265358979323846;
 
 // A point of a surface with its unit normal.
 struct Surface_point
@@ -30,6 +34,13 @@ struct Surface_point
 
 // The caller's sizing field behind one type: target edge length at a position.
 using Size_function = std::function<double(const Vec&)>;
+
+// A point or vector of the caller's kernel.
+template <typename Point>
+Vec to_vec(const Point& p)
+{
+  return Vec(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+}
 
 inline double dot(const Vec& a, const Vec& b) { return a * b; }
 inline Vec cross(const Vec& a, const Vec& b)
@@ -54,9 +65,19 @@ inline bool is_finite(const Vec& a)
   return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());
 }
 
+inline Vec face_centre(const Corners& p) { return 0.25 * (p[0] + p[1] + p[2] + p[3]); }
+
+// Two unit vectors across a unit normal and each other, the same for the same normal.
+inline std::array<Vec, 2> tangents(const Vec& normal)
+{
+  const Vec axis = std::abs(normal.x()) < 0.6 ? Vec(1, 0, 0) : Vec(0, 1, 0);
+  const Vec u = normalized(cross(normal, axis));
+  return { u, cross(normal, u) };
+}
+
 // How far a quadrilateral is from plane: the way between the middles of its diagonals, along the
 // normal, over half its mean edge length.
-inline double warp(const std::array<Vec, 4>& p)
+inline double warp(const Corners& p)
 {
   double edges = 0;
   for(int i = 0; i < 4; ++i) edges += distance(p[i], p[(i + 1) & 3]);

@@ -18,8 +18,8 @@ inline bool is_huge(const Quad_complex& m, Index v) { return m.vertex(v).faces >
 inline std::vector<Index> huge_nodes(const Quad_complex& m)
 {
   std::vector<Index> list;
-  for(Index v = 0; v < m.vertex_end(); ++v)
-    if(m.is_vertex(v) && is_huge(m, v)) list.push_back(v);
+  for(Index v : m.vertices())
+    if(is_huge(m, v)) list.push_back(v);
   return list;
 }
 

@@ -5,14 +5,12 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_LIMIT_SLOPE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+#include <CGAL/Quad_mesh_adaptation/internal/lower_values.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,13 +53,7 @@ inline void limit_slope(const std::vector<Vec>& points,
   for(std::size_t t = 0; t < triangles.size(); ++t)
     for(Index v : triangles[t]) of_point[end[v]++] = t;
 
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for(std::size_t v = 0; v < points.size(); ++v) queue.emplace(value[v], Index(v));
-  while(!queue.empty()) {
-    const auto [h, v] = queue.top();
-    queue.pop();
-    if(h > value[v]) continue;
+  lower_values(value, [&](double h, Index v, const auto& lower) {
     for(std::size_t i = first[v]; i < end[v]; ++i) {
       const auto& t = triangles[of_point[i]];
       const int at = t[0] == v ? 0 : t[1] == v ? 1 : 2;
@@ -70,10 +62,10 @@ inline void limit_slope(const std::vector<Vec>& points,
         const Index w = others[k], x = others[1 - k];
         const double bound =
             bound_from_segment(points[v], h, points[x], value[x], points[w], slope);
-        if(bound < value[w] * (1 - least_gain)) queue.emplace(value[w] = bound, w);
+        if(bound < value[w] * (1 - least_gain)) lower(w, bound);
       }
     }
-  }
+  });
 }
 
 } // namespace internal

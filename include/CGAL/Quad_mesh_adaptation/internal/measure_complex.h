@@ -33,8 +33,7 @@ inline std::size_t number_of_border_loops(const Quad_complex& m)
 inline void measure_topology(const Quad_complex& c, Mesh_measures& m)
 {
   std::vector<std::size_t> inside; // vertices by valence
-  for(Index v = 0; v < c.vertex_end(); ++v) {
-    if(!c.is_vertex(v)) continue;
+  for(Index v : c.vertices()) {
     ++m.vertices;
     const std::size_t valence = std::size_t(c.valence(v));
     m.max_valence = (std::max)(m.max_valence, valence);

@@ -67,7 +67,7 @@ public:
   // A reflex corner counts as more than 180 degrees.
   void put_into(Mesh_measures& m) const
   {
-    constexpr double degrees = 180. / 3.14159265358979323846;
+    constexpr double degrees = 180. / pi;
     m.min_angle = min_angle_ * degrees;
     m.max_angle = max_angle_ * degrees;
     m.max_warp = max_warp_;
@@ -94,7 +94,7 @@ private:
   // Its cosine tells of most corners that their angle is neither the smallest nor the largest.
   void add_angle(const Vec& turn, double product, double signed_area, double lengths)
   {
-    constexpr double margin = 1e-12, pi = 3.14159265358979323846;
+    constexpr double margin = 1e-12;
     if(signed_area > 0 && product < (max_cosine_ - margin) * lengths &&
        product > (min_cosine_ + margin) * lengths)
       return;

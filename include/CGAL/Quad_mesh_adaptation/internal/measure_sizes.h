@@ -32,12 +32,10 @@ inline std::size_t size_ratio_bin(double f)
   return f <= 1.5 ? 6 : 7;
 }
 
-inline Vec face_centre(const std::array<Vec, 4>& p) { return 0.25 * (p[0] + p[1] + p[2] + p[3]); }
-
 // The size a face must meet wherever its centre lies: the smaller of the size at the centre and
 // the inverse root mean square of the sizes at the 2x2 Gauss points of the bilinear patch.
 template <typename Size>
-double strict_size(const std::array<Vec, 4>& p, const Size& size, double size_at_centre)
+double strict_size(const Corners& p, const Size& size, double size_at_centre)
 {
   const double offset = 0.5 / std::sqrt(3.);
   double density = 0;

@@ -31,8 +31,8 @@ inline std::vector<Triangle> corner_points(const Triangle_soup& soup)
 inline double largest_distance_of_nodes(const Adaptation_state& s)
 {
   double far = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-    if(!s.mesh.is_vertex(v) || s.is_own_vertex(v)) continue;
+  for(Index v : s.mesh.vertices()) {
+    if(s.is_own_vertex(v)) continue;
     Vertex_record r = s.mesh.vertex(v);
     s.put_on_carrier(r);
     far = (std::max)(far, distance(s.mesh.point(v), r.p));

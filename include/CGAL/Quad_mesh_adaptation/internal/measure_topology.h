@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MEASURE_TOPOLOGY_H
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Disjoint_sets.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <algorithm>
@@ -15,29 +16,6 @@
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-// Disjoint sets of vertices or other numbers with path halving; the smaller number represents a
-// set, so that the result does not depend on the order of the unions.
-class Vertex_sets
-{
-public:
-  explicit Vertex_sets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
-
-  Index find(Index v)
-  {
-    while(parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  }
-  void unite(Index u, Index v)
-  {
-    u = find(u);
-    v = find(v);
-    if(u != v) parent[(std::max)(u, v)] = (std::min)(u, v);
-  }
-
-private:
-  std::vector<Index> parent;
-};
 
 struct Mesh_edge
 {
@@ -81,7 +59,7 @@ template <class EdgeFilter>
 std::size_t count_components(std::size_t number_of_points, const std::vector<Mesh_edge>& edges,
                              EdgeFilter belongs)
 {
-  Vertex_sets sets(number_of_points);
+  Disjoint_sets sets(number_of_points);
   std::vector<char> used(number_of_points, 0);
   for(const Mesh_edge& e : edges)
     if(belongs(e)) {

@@ -19,13 +19,10 @@ inline double flatness_about(const Adaptation_state& s, Index v)
   const Quad_complex& m = s.mesh;
   const Vec& n = m.vertex(v).normal;
   double least = 1;
-  const Index start = m.vertex(v).halfedge;
-  Index h = start;
-  do {
+  for(Index h : m.outgoing(v)) {
     const Vec& other = m.vertex(m.target(h)).normal;
     if(other * other > 0) least = (std::min)(least, n * other);
-    h = m.turn_left(h);
-  } while(h >= 0 && h != start);
+  }
   return least;
 }
 

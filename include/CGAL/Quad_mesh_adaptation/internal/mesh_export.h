@@ -74,11 +74,8 @@ private:
   // Does a half-edge run from u to v?
   bool leads_to(Index u, Index v) const
   {
-    Index h = nodes_[u].halfedge;
-    do {
+    for(Index h : Quad_complex::Outgoing_range(m_, nodes_[u].halfedge))
       if(m_.target(h) == v) return true;
-      h = m_.turn_left(h);
-    } while(h >= 0 && h != nodes_[u].halfedge);
     return false;
   }
 
@@ -158,8 +155,8 @@ private:
   {
     std::size_t sides = 0;
     std::ptrdiff_t faces = -std::count(changed_.begin(), changed_.begin() + in_.quads.size(), 1);
-    for(Index f = 0; f < m_.face_end(); ++f) {
-      if(!m_.is_face(f) || !changed_[f]) continue;
+    for(Index f : m_.faces()) {
+      if(!changed_[f]) continue;
       ++faces;
       for(Index h = 4 * f; h < 4 * f + 4; ++h) sides += m_.is_border(h) ? 2 : 1;
     }
@@ -215,8 +212,8 @@ private:
 
   void make_faces()
   {
-    for(Index f = 0; f < m_.face_end(); ++f) {
-      if(!m_.is_face(f) || !changed_[f]) continue;
+    for(Index f : m_.faces()) {
+      if(!changed_[f]) continue;
       const face_descriptor d = add_face(mesh_);
       set_halfedge(d, halfedge_of_[4 * f], mesh_);
       for(int i = 0; i < 4; ++i) {

@@ -31,12 +31,6 @@ struct Mesh_descriptors
   std::vector<typename Traits::halfedge_descriptor> first_halfedge; // of each face, from corner 0
 };
 
-template <typename Point>
-Vec to_vec(const Point& p)
-{
-  return Vec(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-}
-
 // Fills the arrays from the faces of a range of a graph, checking everything that can be checked
 // face by face; throws Refused.  The number of an entity in a message is its position in the
 // iteration over the mesh.

@@ -12,6 +12,9 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// So many rings of faces about those that there is work on are worked on.
+constexpr int rings_to_work_on = 8;
+
 // Marks the nodes of the given faces and of `rings` rings of faces around them; those that are
 // marked already stop it.
 inline void mark_nodes_around(const Quad_complex& m, const std::vector<Index>& faces, int rings,
@@ -25,15 +28,12 @@ inline void mark_nodes_around(const Quad_complex& m, const std::vector<Index>& f
   };
   for(Index f : faces)
     for(Index v : m.quad(f)) reach(v);
-  std::vector<Index> out;
   for(int ring = 0; ring < rings && !front.empty(); ++ring) {
     std::vector<Index> now;
     now.swap(front);
-    for(Index v : now) {
-      m.outgoing(v, out);
-      for(Index h : out)
+    for(Index v : now)
+      for(Index h : m.outgoing(v))
         for(Index u : m.quad(m.face(h))) reach(u);
-    }
   }
 }
 

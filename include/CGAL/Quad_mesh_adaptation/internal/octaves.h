@@ -23,8 +23,8 @@ inline bool is_anything_frozen(const Adaptation_state& s)
 {
   for(const Feature_curve& c : s.curves)
     if(c.is_frozen()) return true;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && s.mesh.vertex(v).frozen) return true;
+  for(Index v : s.mesh.vertices())
+    if(s.mesh.vertex(v).frozen) return true;
   return false;
 }
 
@@ -63,8 +63,8 @@ inline int octaves_by_turn(const Adaptation_state& s, int most)
   const Quad_complex& m = s.mesh;
   std::vector<std::size_t> edges(std::size_t(most) + 1, 0); // by the octaves they allow
   std::size_t all = 0;
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h)) || m.opposite(h) < h || m.curve(h) >= 0) continue;
+  for(Index h : m.halfedges()) {
+    if(m.opposite(h) < h || m.curve(h) >= 0) continue;
     const double octaves = std::log2(gentle_turn / turn_per_face(s, h));
     if(octaves < most) ++edges[octaves > 0 ? std::size_t(octaves) : 0];
     ++all;
@@ -88,8 +88,7 @@ struct Demand
     const double given = double(s.mesh.number_of_faces());
     const Size_function size = [&s](const Vec& p) { return s.size.at(p); };
     Size_growth_meter meter(size, (std::max)(2, int(std::ceil(std::sqrt(4096 / given)))));
-    for(Index f = 0; f < s.mesh.face_end(); ++f)
-      if(s.mesh.is_face(f)) meter.add(s.corners(f));
+    for(Index f : s.mesh.faces()) meter.add(s.corners(f));
     faces = meter.faces();
     slope = std::sqrt(meter.result().mean_square_slope); // of all those faces
     // in large meshes a half to four fifths of the time matter more than one face in fifty
@@ -135,8 +134,7 @@ inline int octaves_below_faces(const Adaptation_state& s, int most)
 {
   if(most <= 0 || is_anything_frozen(s)) return 0;
   double least = std::exp2(most);
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) least = (std::min)(least, s.size_ratio(f));
+  for(Index f : s.mesh.faces()) least = (std::min)(least, s.size_ratio(f));
   Demand demand(s);
   int octaves = 0;
   while(octaves < most && least >= 2 * 0.75 && demand.is_gentle_doubled()) {
@@ -151,8 +149,7 @@ inline int octaves_below_faces(const Adaptation_state& s, int most)
 inline double efficiency(const Adaptation_state& s)
 {
   double ideal = 0;
-  for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f)) continue;
+  for(Index f : s.mesh.faces()) {
     const Corners p = s.corners(f);
     const double h = mean_edge_length(p) / s.size_ratio(f);
     ideal += 0.5 * norm(area_vector(p)) / (h * h);
@@ -180,8 +177,7 @@ private:
 inline void cut_all_faces(Adaptation_state& s)
 {
   std::vector<Index> all;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) all.push_back(f);
+  for(Index f : s.mesh.faces()) all.push_back(f);
   refine_faces(s, all);
 }
 

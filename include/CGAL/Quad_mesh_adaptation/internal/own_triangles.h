@@ -18,8 +18,7 @@ namespace internal {
 inline std::vector<char> faces_with_own_triangles(const Adaptation_state& s)
 {
   std::vector<char> own(s.mesh.face_end(), 0);
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) own[f] = s.surface.has_halves_of(f, s.corners(f));
+  for(Index f : s.mesh.faces()) own[f] = s.surface.has_halves_of(f, s.corners(f));
   return own;
 }
 
@@ -27,8 +26,8 @@ inline std::vector<char> faces_with_own_triangles(const Adaptation_state& s)
 inline bool is_all_on_own_triangles(const Adaptation_state& s)
 {
   if(s.surface.is_planar()) return false;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && !s.surface.has_halves_of(f, s.corners(f))) return false;
+  for(Index f : s.mesh.faces())
+    if(!s.surface.has_halves_of(f, s.corners(f))) return false;
   return true;
 }
 
@@ -37,8 +36,8 @@ inline std::vector<char> faces_near_others(const Quad_complex& m, const std::vec
 {
   constexpr int rings = 4;
   std::vector<Index> others;
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f) && !own[f]) others.push_back(f);
+  for(Index f : m.faces())
+    if(!own[f]) others.push_back(f);
   std::vector<char> near(m.face_end(), others.empty());
   const std::vector<char> nodes = nodes_around(m, others, rings);
   for(Index f = 0; f < m.face_end() && !others.empty(); ++f) {

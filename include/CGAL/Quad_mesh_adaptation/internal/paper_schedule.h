@@ -41,8 +41,7 @@ struct Refine_classes
 inline Refine_classes classify_faces(const Adaptation_state& s, double threshold)
 {
   Refine_classes c;
-  for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f)) continue;
+  for(Index f : s.mesh.faces()) {
     const double r = s.size_ratio(f);
     // splitting what frozen edges hold would go on for ever
     if(r > size_tolerance && !is_beyond_help(s, f)) (r > threshold ? c.high : c.low).push_back(f);

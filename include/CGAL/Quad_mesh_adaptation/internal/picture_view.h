@@ -106,7 +106,7 @@ inline Picture_view default_view(const Polygon_soup& soup)
     view.is_planar = true;
     return view;
   }
-  const double degree = 3.14159265358979323846 / 180;
+  const double degree = pi / 180;
   Vec best = z;
   double best_area = 0;
   for(const double elevation : { 28., -28. })

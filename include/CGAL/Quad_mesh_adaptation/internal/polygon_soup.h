@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_POLYGON_SOUP_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
@@ -31,22 +32,9 @@ struct Polygon_soup
 template <class Mesh>
 Polygon_soup soup_of_mesh(const Mesh& mesh)
 {
-  const auto point_map = get(CGAL::vertex_point, mesh);
-  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  std::unordered_map<Vertex, Index> number;
   Polygon_soup soup;
-  for(const Vertex v : vertices(mesh)) {
-    number.emplace(v, static_cast<Index>(soup.points.size()));
-    const auto& p = get(point_map, v);
-    soup.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                             CGAL::to_double(p.z()));
-  }
-  for(const auto f : faces(mesh)) {
-    Polygon_soup::Face face;
-    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
-      face.push_back(number.at(v));
-    soup.faces.push_back(std::move(face));
-  }
+  soup.points = points_and_faces(mesh, get(CGAL::vertex_point, mesh),
+                                 [&](const auto& face) { soup.faces.push_back(face); });
   return soup;
 }
 

@@ -26,7 +26,7 @@ inline double corner_angle(const Quad_complex& m, Index h)
 // between them; 2 pi if none do.
 inline double sector_angle(const Quad_complex& m, Index h)
 {
-  constexpr double none = 6.283185307179586;
+  constexpr double none = 2 * pi;
   const auto is_feature = [&](Index e) { return m.is_border(e) || m.curve(e) >= 0; };
   double angle = corner_angle(m, h);
   for(Index e = h; !is_feature(e);) {
@@ -74,7 +74,7 @@ inline Poor_face shape_limit(const Adaptation_state& s, Index f, double floor)
     const double angle = sector_angle(m, h);
     if(angle > least_angle) continue;
     p.limit = Shape_limit::feature_angle;
-    p.angle = angle * 180 / 3.14159265358979323846;
+    p.angle = angle * 180 / pi;
     p.vertex = std::size_t(m.origin(h));
     return p;
   }
@@ -101,17 +101,16 @@ inline bool is_poorer_than_need_be(const Adaptation_state& s, Index f)
   if(!is_jacobian_below(s.corners(f), Poor_face::floor)) return false;
   const Poor_face p = shape_limit(s, f, Poor_face::floor);
   if(p.limit == Shape_limit::none) return true;
-  return p.scaled_jacobian < (p.limit == Shape_limit::feature_angle
-                                  ? share * std::sin(p.angle * 3.14159265358979323846 / 180)
-                                  : useless);
+  return p.scaled_jacobian <
+         (p.limit == Shape_limit::feature_angle ? share * std::sin(p.angle * pi / 180) : useless);
 }
 
 // All faces below `floor`, with their numbers in the state.
 inline std::vector<Poor_face> poor_shapes(const Adaptation_state& s, double floor)
 {
   std::vector<Poor_face> list;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && is_jacobian_below(s.corners(f), floor)) {
+  for(Index f : s.mesh.faces())
+    if(is_jacobian_below(s.corners(f), floor)) {
       list.push_back(shape_limit(s, f, floor));
       list.back().face = std::size_t(f);
     }

@@ -21,8 +21,8 @@ namespace internal {
 inline double fraction_below(const Adaptation_state& s, double ratio)
 {
   std::size_t below = 0;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && s.size_ratio(f) < ratio) ++below;
+  for(Index f : s.mesh.faces())
+    if(s.size_ratio(f) < ratio) ++below;
   return double(below) / double(s.mesh.number_of_faces());
 }
 
@@ -30,11 +30,10 @@ inline double fraction_below(const Adaptation_state& s, double ratio)
 inline double mean_square_ratio(const Adaptation_state& s)
 {
   double sum = 0;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) {
-      const double r = (std::min)(s.size_ratio(f), 1.);
-      sum += r * r;
-    }
+  for(Index f : s.mesh.faces()) {
+    const double r = (std::min)(s.size_ratio(f), 1.);
+    sum += r * r;
+  }
   return sum / double(s.mesh.number_of_faces());
 }
 
@@ -76,8 +75,8 @@ inline std::size_t refine_faces(Adaptation_state& s, const std::vector<Index>& f
     const Index o = m.opposite(h);
     return o >= 0 && o < h ? o : h;
   };
-  for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && m.curve(h) >= 0 && s.curves[m.curve(h)].is_frozen())
+  for(Index h : m.halfedges())
+    if(m.curve(h) >= 0 && s.curves[m.curve(h)].is_frozen())
       wish[low(h)] = std::numeric_limits<double>::infinity();
   for(Index f : faces)
     for(Index h = 4 * f; h < 4 * f + 4; ++h)
@@ -95,8 +94,7 @@ inline void set_floors(Adaptation_state& s)
   Quad_complex& m = s.mesh;
   std::vector<double> sum(m.vertex_end(), 0.);
   std::vector<int> n(m.vertex_end(), 0);
-  for(Index h = 0; h < 4 * m.face_end(); ++h) {
-    if(!m.is_face(m.face(h))) continue;
+  for(Index h : m.halfedges()) {
     const Index u = m.origin(h), v = m.target(h);
     const double l = distance(m.point(u), m.point(v));
     sum[u] += l;
@@ -104,8 +102,7 @@ inline void set_floors(Adaptation_state& s)
     ++n[u];
     ++n[v];
   }
-  for(Index v = 0; v < m.vertex_end(); ++v)
-    if(m.is_vertex(v)) m.vertex(v).floor = sum[v] / n[v];
+  for(Index v : m.vertices()) m.vertex(v).floor = sum[v] / n[v];
   s.forget_energies();
   s.disturb_all();
 }

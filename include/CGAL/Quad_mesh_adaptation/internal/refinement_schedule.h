@@ -25,17 +25,13 @@ inline std::vector<char> probes(const Quad_complex& m, std::vector<char> wanted)
 {
   wanted.resize(m.vertex_end(), 1);
   std::vector<char> is_covered(m.vertex_end(), 0);
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(!m.is_vertex(v) || m.vertex(v).carrier == Carrier::corner) continue;
+  for(Index v : m.vertices()) {
+    if(m.vertex(v).carrier == Carrier::corner) continue;
     if(is_covered[v] && m.vertex(v).carrier == Carrier::surface) continue;
     wanted[v] = 1;
     if(m.vertex(v).carrier == Carrier::curve) continue;
-    const Index start = m.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : m.outgoing(v))
       for(Index u : m.quad(m.face(h))) is_covered[u] = 1;
-      h = m.turn_left(h);
-    } while(h >= 0 && h != start);
   }
   return wanted;
 }
@@ -63,8 +59,8 @@ inline void smooth_poor_faces(Adaptation_state& s)
   for(int round = 0; round < 4; ++round) {
     s.restless.assign(s.mesh.vertex_end(), 0);
     bool is_any = false;
-    for(Index f = 0; f < s.mesh.face_end(); ++f) {
-      if(!s.mesh.is_face(f) || scaled_jacobian(s.corners(f)) >= poor) continue;
+    for(Index f : s.mesh.faces()) {
+      if(scaled_jacobian(s.corners(f)) >= poor) continue;
       for(Index v : s.mesh.quad(f)) s.disturb(v);
       is_any = true;
     }

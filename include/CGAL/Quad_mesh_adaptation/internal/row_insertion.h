@@ -96,8 +96,8 @@ private:
     const Quad_complex& m = s_.mesh;
     std::vector<char> seen(4 * std::size_t(m.face_end()), 0);
     std::vector<Candidate> list;
-    for(Index h = 0; h < 4 * m.face_end(); ++h) {
-      if(!m.is_face(m.face(h)) || seen[h]) continue;
+    for(Index h : m.halfedges()) {
+      if(seen[h]) continue;
       const Chord c = chord_through(m, h);
       for(Index g : c.rungs) {
         seen[g] = 1;

@@ -63,8 +63,8 @@ inline std::size_t number_turned_in_plane(const Adaptation_state& s)
 {
   const Vec up = s.surface.normal(0);
   std::size_t turned = 0;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && area_vector(s.corners(f)) * up < 0) ++turned;
+  for(Index f : s.mesh.faces())
+    if(area_vector(s.corners(f)) * up < 0) ++turned;
   return turned;
 }
 
@@ -94,8 +94,8 @@ inline void count_features(const Adaptation_state& s, Adaptation_report& report)
 {
   report.patches = s.given_patch.size();
   report.feature_curves = s.curves.size();
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v) && s.mesh.vertex(v).carrier == Carrier::corner) ++report.corners;
+  for(Index v : s.mesh.vertices())
+    if(s.mesh.vertex(v).carrier == Carrier::corner) ++report.corners;
 }
 
 // Faces are of the caller's patch that theirs descends from.
@@ -103,8 +103,8 @@ template <typename Export, typename Patch, typename FacePatchMap>
 void put_patches(const Adaptation_state& s, const Export& written,
                  const std::vector<Patch>& patches, FacePatchMap fpm)
 {
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) put(fpm, written.face_of(f), patches[s.given_patch[s.mesh.patch(f)]]);
+  for(Index f : s.mesh.faces())
+    put(fpm, written.face_of(f), patches[s.given_patch[s.mesh.patch(f)]]);
 }
 
 // What the public functions differ in but for their algorithms.

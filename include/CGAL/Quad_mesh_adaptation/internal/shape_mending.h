@@ -35,8 +35,7 @@ inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
   const auto crowded = [&](Index v) { return is_crowded(s, v); };
   const auto worked_on = [&](Index v) { return s.is_to_work_on(v); };
   std::vector<Index> list;
-  for(Index f = 0; f < m.face_end(); ++f) {
-    if(!m.is_face(f)) continue;
+  for(Index f : m.faces()) {
     const Quad q = m.quad(f);
     if(!std::all_of(q.begin(), q.end(), worked_on)) continue;
     if(known_quality(s, f) < least || std::any_of(q.begin(), q.end(), crowded)) list.push_back(f);
@@ -60,11 +59,9 @@ inline double shape_faults(const Adaptation_state& s)
 {
   const Quad_complex& m = s.mesh;
   double faults = 0;
-  for(Index f = 0; f < m.face_end(); ++f)
-    if(m.is_face(f)) faults += shape_fault(s, f);
-  for(Index v = 0; v < m.vertex_end(); ++v)
-    if(m.is_vertex(v) && is_crowded(s, v))
-      faults += s.images_at(m.vertex(v)) * m.vertex(v).faces - 5;
+  for(Index f : m.faces()) faults += shape_fault(s, f);
+  for(Index v : m.vertices())
+    if(is_crowded(s, v)) faults += s.images_at(m.vertex(v)) * m.vertex(v).faces - 5;
   return faults;
 }
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_AT_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_AT_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+
 #include <CGAL/number_utils.h>
 
 #include <type_traits>
@@ -12,7 +14,7 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// A sizing field is a number or a callable.
+// A sizing field is a number or a callable on points.
 template <typename SizingField, typename Point>
 double size_at(const SizingField& sizing, const Point& p)
 {
@@ -20,6 +22,16 @@ double size_at(const SizingField& sizing, const Point& p)
     return (void(p), double(sizing));
   else
     return CGAL::to_double(sizing(p));
+}
+
+// The same on positions, for a callable on `Point`, which must still be there then.
+template <typename Point, typename SizingField>
+Size_function size_function(const SizingField& sizing)
+{
+  if constexpr(std::is_arithmetic_v<SizingField>)
+    return [sizing](const Vec&) { return double(sizing); };
+  else
+    return [&sizing](const Vec& p) { return CGAL::to_double(sizing(Point(p.x(), p.y(), p.z()))); };
 }
 
 } // namespace internal

@@ -69,9 +69,8 @@ inline std::size_t split_within(Adaptation_state& s, const std::vector<Index>& f
     const Index opposite = m.opposite(h);
     return opposite >= 0 && opposite < h ? opposite : h;
   };
-  for(Index h = 0; h < 4 * m.face_end(); ++h)
-    if(m.is_face(m.face(h)) && near[m.origin(h)] && near[m.target(h)] && low(h) == h)
-      wish[h] = split_wish(s, o, h);
+  for(Index h : m.halfedges())
+    if(near[m.origin(h)] && near[m.target(h)] && low(h) == h) wish[h] = split_wish(s, o, h);
   for(Index f : faces)
     for(Index h : edges_to_cut(s, f))
       if(std::isfinite(wish[low(h)])) wish[low(h)] = -20;

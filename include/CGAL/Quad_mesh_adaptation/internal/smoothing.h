@@ -25,16 +25,13 @@ inline void gather_pulls(const Adaptation_state& s, Index v, std::vector<Pull>& 
   pulls.clear();
   if(s.coverage.is_empty()) return;
   const Quad_complex& m = s.mesh;
-  const Index start = m.vertex(v).halfedge;
-  Index h = start;
   int number = 0;
-  do {
+  for(Index h : m.outgoing(v)) {
     s.coverage.for_each(m.face(h), [&](Index, const Witness& w) {
       pulls.push_back({ &w, number, (h & 1) == 0 });
     });
     ++number;
-    h = m.turn_left(h);
-  } while(h >= 0 && h != start);
+  }
 }
 
 // After a move of v each witness of its faces goes to the one it is nearest to now.
@@ -42,14 +39,11 @@ inline void share_witnesses(Adaptation_state& s, Index v)
 {
   std::vector<Index> list, faces;
   std::vector<std::size_t> kept_by; // which of the faces
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
+  for(Index h : s.mesh.outgoing(v)) {
     faces.push_back(s.mesh.face(h));
     s.coverage.take(faces.back(), list);
     kept_by.resize(list.size(), faces.size() - 1);
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
+  }
   if(list.empty()) return;
   Covering_faces covers;
   for(Index f : faces) covers.add(s.corners(f));
@@ -64,9 +58,7 @@ inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& st
 {
   star.clear();
   const Quad_complex& m = s.mesh;
-  const Index start = m.vertex(v).halfedge;
-  Index h = start;
-  do {
+  for(Index h : m.outgoing(v)) {
     const Index a = m.target(h), b = m.target(m.next(h)), c = m.origin(m.prev(h));
     const Vertex_record &x = m.vertex(v), &ra = m.vertex(a), &rb = m.vertex(b), &rc = m.vertex(c);
     Star_face f;
@@ -80,8 +72,7 @@ inline void gather_star(Adaptation_state& s, Index v, std::vector<Star_face>& st
                    ? Vec(0, 0, 0)
                    : size_gradient({ x.p, ra.p, rb.p, rc.p }, { x.h, ra.h, rb.h, rc.h });
     star.push_back(f);
-    h = m.turn_left(h);
-  } while(h >= 0 && h != start);
+  }
 }
 
 constexpr double turned_away = 0.27; // mean cosine between normals of face and surface, or less
@@ -94,8 +85,7 @@ inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_recor
   const Vertex_record& r = s.mesh.vertex(v);
   double before = 0, now = 0, least = 1;
   int turned = 0; // more corners than before
-  Index h = r.halfedge;
-  do {
+  for(Index h : s.mesh.outgoing(v)) {
     Corners p = s.corners(s.mesh.face(h));
     Facing reference = s.reference_normal(s.mesh.face(h));
     const Vec a = area_vector(p);
@@ -108,8 +98,7 @@ inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_recor
     reference.sum = reference.sum - r.normal + old.normal;
     const Vec b = area_vector(p);
     before += norm(b) * (std::max)(reference.mean_cosine(normalized(b)), 0.);
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != r.halfedge);
+  }
   return turned > 0 || (least < turned_away && now < (1 - 1e-6) * before);
 }
 
@@ -117,14 +106,11 @@ inline bool loses_surface(const Adaptation_state& s, Index v, const Vertex_recor
 inline double largest_warp(const Adaptation_state& s, Index v, const Vec& p)
 {
   double largest = 0;
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
+  for(Index h : s.mesh.outgoing(v)) {
     Corners c = s.corners(s.mesh.face(h));
     c[h & 3] = p;
     largest = (std::max)(largest, warp(c));
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
+  }
   return largest;
 }
 
@@ -155,11 +141,7 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
     r = old;
     return false;
   }
-  Index h = r.halfedge;
-  do {
-    s.face_moved(s.mesh.face(h));
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != r.halfedge);
+  s.node_moved(v);
   if(!relax.pulls().empty()) share_witnesses(s, v);
   const double edge = distance(r.p, s.mesh.point(s.mesh.target(r.halfedge)));
   const double way = distance(r.p, old.p);
@@ -170,12 +152,8 @@ inline bool move_node(Adaptation_state& s, Index v, Node_relaxation& relax)
 // The nodes of all faces about v are worth a visit.
 inline void disturb_around(Adaptation_state& s, Index v)
 {
-  const Index start = s.mesh.vertex(v).halfedge;
-  Index h = start;
-  do {
+  for(Index h : s.mesh.outgoing(v))
     for(Index u : s.mesh.quad(s.mesh.face(h))) s.disturb(u);
-    h = s.mesh.turn_left(h);
-  } while(h >= 0 && h != start);
 }
 
 // One round of smoothing.  Threads move the runs of one step of a walk side by side, but for nodes
@@ -253,16 +231,13 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     const std::size_t here = std::size_t(place_[v] - 1), run = here / run_length;
-    const Index start = m.vertex(v).halfedge;
-    Index h = start;
-    do {
+    for(Index h : m.outgoing(v)) {
       for(Index u : m.quad(m.face(h))) {
         if(place_[u] == 0 || place_[u] >= place_[v]) continue;
         const std::size_t there = std::size_t(place_[u] - 1);
         if(there / run_length != run || outcome_[there] == Outcome::has_to_wait) return true;
       }
-      h = m.turn_left(h);
-    } while(h >= 0 && h != start);
+    }
     return false;
   }
 

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SOUP_CHECK_H
 
 #include <CGAL/Quad_mesh_adaptation/IO/Read_result.h>
+#include <CGAL/Quad_mesh_adaptation/internal/boxes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
 #include <CGAL/Quad_mesh_adaptation/internal/soup_manifold.h>
 
@@ -67,21 +68,10 @@ inline Read_result check_faces(const Polygon_soup& soup, bool quads_only)
                 static_cast<long>(first_wrong));
 }
 
-inline double extent_of(const std::vector<Vec>& points)
-{
-  Vec low = points.front(), high = low;
-  for(const Vec& p : points) {
-    low = Vec((std::min)(low.x(), p.x()), (std::min)(low.y(), p.y()), (std::min)(low.z(), p.z()));
-    high =
-        Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()), (std::max)(high.z(), p.z()));
-  }
-  return norm(high - low);
-}
-
 // No edge without length, no face without area.
 inline Read_result check_geometry(const Polygon_soup& soup)
 {
-  const double extent = extent_of(soup.points);
+  const double extent = norm(Box(soup.points).extent());
   if(!std::isfinite(extent))
     return refuse(Refusal::non_finite_coordinate,
                   "the coordinates are too large: distances between them are not finite");

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SPATIAL_ORDER_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/boxes.h>
 
 #include <algorithm>
 #include <array>
@@ -23,20 +24,10 @@ class Cell_number
 public:
   explicit Cell_number(const Quad_complex& m)
   {
-    bool is_first = true;
-    Vec high(0, 0, 0);
-    for(Index v = 0; v < m.vertex_end(); ++v) {
-      if(!m.is_vertex(v)) continue;
-      const Vec& p = m.point(v);
-      if(is_first) low_ = high = p;
-      is_first = false;
-      low_ = Vec((std::min)(low_.x(), p.x()), (std::min)(low_.y(), p.y()),
-                 (std::min)(low_.z(), p.z()));
-      high = Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()),
-                 (std::max)(high.z(), p.z()));
-    }
-    const Vec size = high - low_;
-    const double longest = (std::max)({ size.x(), size.y(), size.z() });
+    Box box;
+    for(Index v : m.vertices()) box.add(m.point(v));
+    low_ = box.low;
+    const double longest = box.longest_side();
     scale_ = longest > 0 ? cells / longest : 0.;
   }
 
@@ -75,8 +66,7 @@ inline std::vector<std::uint64_t> breadth_first_places(const Quad_complex& m)
     order.push_back(f);
     place[f] = order.size();
   };
-  for(Index start = 0; start < m.face_end(); ++start) {
-    if(!m.is_face(start)) continue;
+  for(Index start : m.faces()) {
     std::size_t next = order.size();
     for(reach(start); next < order.size(); ++next)
       for(Index h = 4 * order[next]; h < 4 * order[next] + 4; ++h)
@@ -104,8 +94,7 @@ inline std::vector<Index> spatial_order(const Quad_complex& m)
   std::vector<std::pair<std::uint64_t, Index>> keys;
   keys.reserve(m.number_of_faces());
   std::vector<Index> order(m.number_of_faces(), -1);
-  for(Index f = 0; f < m.face_end(); ++f) {
-    if(!m.is_face(f)) continue;
+  for(Index f : m.faces()) {
     const Quad q = m.quad(f);
     if(f < Index(order.size()) && is_of_input(m, f))
       order[f] = f;

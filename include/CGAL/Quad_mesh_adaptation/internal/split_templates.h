@@ -97,8 +97,7 @@ private:
   {
     Quad_complex& m = s_.mesh;
     std::size_t sides = 0, faces = 0, nodes = 0;
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       int marks = 0;
       for(Index h = 4 * f; h < 4 * f + 4; ++h)
         if(split_[h]) {

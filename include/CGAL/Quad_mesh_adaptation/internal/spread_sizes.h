@@ -5,12 +5,11 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SPREAD_SIZES_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Face_arrays.h>
+#include <CGAL/Quad_mesh_adaptation/internal/lower_values.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <queue>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -31,22 +30,17 @@ inline void spread_sizes(const Face_arrays& mesh, double slope, std::vector<doub
   }
   const std::vector<double> asked = size;
   std::vector<Index> from(size.size()); // whose size counts
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for(std::size_t v = 0; v < size.size(); ++v) queue.emplace(size[v], from[v] = Index(v));
-  while(!queue.empty()) {
-    const auto [bound, v] = queue.top();
-    queue.pop();
-    if(bound > size[v]) continue;
+  std::iota(from.begin(), from.end(), Index(0));
+  lower_values(size, [&](double, Index v, const auto& lower) {
     const Index s = from[v];
     for(Index w : neighbours[v]) {
       const double apart = distance(mesh.points[s], mesh.points[w]) - asked[s] / 2;
       const double here = asked[s] + slope * (std::max)(apart, 0.);
       if(!(here < size[w] * (1 - least_gain))) continue;
       from[w] = s;
-      queue.emplace(size[w] = here, w);
+      lower(w, here);
     }
-  }
+  });
 }
 
 } // namespace internal

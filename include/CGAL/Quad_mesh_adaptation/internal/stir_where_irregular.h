@@ -28,8 +28,7 @@ inline void stir_where_irregular(Adaptation_state& s, double large = 1.02)
     return r.faces != r.ideal_faces;
   };
   std::vector<Index> list;
-  for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f)) continue;
+  for(Index f : s.mesh.faces()) {
     const Quad q = s.mesh.quad(f);
     if(!std::any_of(q.begin(), q.end(), [&](Index v) { return s.is_to_work_on(v); })) continue;
     const double ratio = s.size_ratio(f);

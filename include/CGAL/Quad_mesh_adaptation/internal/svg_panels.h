@@ -189,7 +189,7 @@ public:
 
   void add(const std::array<Vec, 4>& corners, int depth = 0)
   {
-    const Vec centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+    const Vec centre = face_centre(corners);
     const double here = level(centre);
     double variation = 0;
     for(const Vec& corner : corners)

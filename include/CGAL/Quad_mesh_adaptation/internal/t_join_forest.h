@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_T_JOIN_FOREST_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_T_JOIN_FOREST_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Disjoint_sets.h>
 #include <CGAL/Quad_mesh_adaptation/internal/t_join_graph.h>
 #include <CGAL/Quad_mesh_adaptation/internal/t_join_matching.h>
 

@@ -26,33 +26,6 @@ struct T_join_edge
   double weight;
 };
 
-/// Disjoint sets over 0..n-1; the representative of a set is its lowest member.
-class Disjoint_sets
-{
-public:
-  explicit Disjoint_sets(std::size_t n) : m_parent(n)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), Index(0));
-  }
-  Index find(Index i)
-  {
-    while(m_parent[i] != i) i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-  /// Joins the sets of `a` and `b`; false when they were one already.
-  bool unite(Index a, Index b)
-  {
-    a = find(a);
-    b = find(b);
-    if(a == b) return false;
-    m_parent[(std::max)(a, b)] = (std::min)(a, b);
-    return true;
-  }
-
-private:
-  std::vector<Index> m_parent;
-};
-
 /// The usable edges of a graph, by vertex.  Left out are loops, edges to no vertex, and edges whose
 /// weight is not a finite number >= 0.
 class T_join_graph

@@ -51,8 +51,7 @@ private:
   {
     const Quad_complex& m = s_.mesh;
     std::vector<std::pair<float, Index>> list;
-    for(Index f = 0; f < m.face_end(); ++f) {
-      if(!m.is_face(f)) continue;
+    for(Index f : m.faces()) {
       const Corners p = s_.corners(f);
       double h = 0;
       for(Index v : m.quad(f)) h += 0.25 * m.vertex(v).h;
@@ -98,8 +97,8 @@ inline bool is_rich_in_curves(const Adaptation_state& s)
 {
   constexpr double many = 0.25; // for a face that is wanted
   std::size_t edges = 0;
-  for(Index h = 0; h < 4 * s.mesh.face_end(); ++h)
-    if(s.mesh.is_face(s.mesh.face(h)) && s.mesh.curve(h) >= 0 && s.mesh.opposite(h) < h) ++edges;
+  for(Index h : s.mesh.halfedges())
+    if(s.mesh.curve(h) >= 0 && s.mesh.opposite(h) < h) ++edges;
   return double(edges) > many * mean_square_ratio(s) * double(s.mesh.number_of_faces());
 }
 
@@ -147,8 +146,8 @@ inline bool is_regular(const Adaptation_state& s)
 {
   constexpr std::size_t few = 50; // one node in so many
   std::size_t nodes = 0, irregular = 0;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-    if(!s.mesh.is_vertex(v) || s.mesh.is_border_vertex(v)) continue;
+  for(Index v : s.mesh.vertices()) {
+    if(s.mesh.is_border_vertex(v)) continue;
     ++nodes;
     irregular += s.mesh.vertex(v).faces != 4;
   }

@@ -15,12 +15,10 @@ inline double total_energy(Adaptation_state& s)
 {
   s.prepare_coverage();
   double sum = 0;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) sum += s.cached_energy(f) + s.coverage.cost(f);
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v)
-    if(s.mesh.is_vertex(v))
-      sum += s.valence_energy(s.mesh.vertex(v).faces, s.mesh.vertex(v)) +
-             side_energy(s, side_difference(s, v));
+  for(Index f : s.mesh.faces()) sum += s.cached_energy(f) + s.coverage.cost(f);
+  for(Index v : s.mesh.vertices())
+    sum += s.valence_energy(s.mesh.vertex(v).faces, s.mesh.vertex(v)) +
+           side_energy(s, side_difference(s, v));
   return sum;
 }
 

@@ -26,12 +26,11 @@ inline std::vector<Index> faces_off_the_surface(const Adaptation_state& s)
   std::vector<Index> faces;
   if(s.surface.is_planar() && s.curves.empty()) return faces;
   std::vector<double> allowed(s.mesh.face_end(), (std::numeric_limits<double>::infinity)());
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f)) allowed[f] = far * mean_edge_length(s.corners(f));
+  for(Index f : s.mesh.faces()) allowed[f] = far * mean_edge_length(s.corners(f));
   const Distance_measure distances(s, *std::min_element(allowed.begin(), allowed.end()));
   s.surface.forget_tree();
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && distances.of(f) > allowed[f]) faces.push_back(f);
+  for(Index f : s.mesh.faces())
+    if(distances.of(f) > allowed[f]) faces.push_back(f);
   return faces;
 }
 
@@ -40,7 +39,7 @@ inline std::vector<Index> faces_off_the_surface(const Adaptation_state& s)
 inline std::vector<Index> faces_folded_by_halving(Adaptation_state& s)
 {
   constexpr double useless = 0.02;
-  std::vector<Index> nodes, faces, out;
+  std::vector<Index> nodes, faces;
   if(s.surface.is_planar()) return faces;
   const double enough = (std::min)(useless, worst_quality(s));
   std::vector<char> is_old(s.mesh.vertex_end(), 0);
@@ -49,18 +48,15 @@ inline std::vector<Index> faces_folded_by_halving(Adaptation_state& s)
   s.scale_sizes(0.5);
   cut_all_faces(s);
   smooth(s, 1);
-  for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f) || s.face_quality(s.corners(f), s.reference_normal(f)) >= enough)
-      continue;
+  for(Index f : s.mesh.faces()) {
+    if(s.face_quality(s.corners(f), s.reference_normal(f)) >= enough) continue;
     for(Index v : s.mesh.quad(f))
       if(v < Index(is_old.size()) && is_old[v]) nodes.push_back(v);
   }
   s.scale_sizes(2);
   mesh.restore();
-  for(Index v : nodes) {
-    s.mesh.outgoing(v, out);
-    for(Index h : out) faces.push_back(s.mesh.face(h));
-  }
+  for(Index v : nodes)
+    for(Index h : s.mesh.outgoing(v)) faces.push_back(s.mesh.face(h));
   return faces;
 }
 

@@ -62,8 +62,7 @@ private:
   {
     constexpr std::size_t few = 12; // faces
     part_.resize(parts_.size());
-    for(Index f = 0; f < m_.face_end(); ++f) {
-      if(!m_.is_face(f)) continue;
+    for(Index f : m_.faces()) {
       Part& part = part_[parts_.of(f)];
       ++part.faces;
       part.area += norm(areas_[f]);
@@ -78,8 +77,8 @@ private:
   {
     for(bool found = true; found;) {
       found = false;
-      for(Index h = 0; h < 4 * m_.face_end(); ++h) {
-        if(!m_.is_face(m_.face(h)) || m_.opposite(h) < 0 || !is_fold(h)) continue;
+      for(Index h : m_.halfedges()) {
+        if(m_.opposite(h) < 0 || !is_fold(h)) continue;
         const Part& here = part_[parts_.of(m_.face(h))];
         Part& there = part_[parts_.of(m_.face(m_.opposite(h)))];
         if(here.sheet < 0 || there.sheet >= 0 || !is_small_on(there, here.sheet)) continue;

@@ -88,8 +88,7 @@ private:
     Vec normal(0, 0, 0);
     for(Index f : faces) normal = normal + areas_[f] * normals_[f];
     normal = normalized(normal);
-    const Vec axis = std::abs(normal.x()) < 0.6 ? Vec(1, 0, 0) : Vec(0, 1, 0);
-    const Vec u = normalized(cross(normal, axis)), v = cross(normal, u);
+    const auto [u, v] = tangents(normal);
     grow(faces, sector);
     double radius = 0;
     for(Index f : faces) radius = (std::max)(radius, distance(centres_[f], p));

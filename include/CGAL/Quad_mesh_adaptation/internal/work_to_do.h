@@ -34,8 +34,8 @@ inline bool is_good(const Adaptation_state& s, Index f)
 
 inline bool is_good(const Adaptation_state& s)
 {
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && !is_good(s, f)) return false;
+  for(Index f : s.mesh.faces())
+    if(!is_good(s, f)) return false;
   return true;
 }
 
@@ -62,8 +62,8 @@ inline std::vector<char> places_that_matter(const Quad_complex& m, const std::ve
   const double least = double(m.number_of_faces()) / 10000;
   std::vector<char> result(m.face_end(), 0);
   std::vector<Index> place;
-  for(Index first = 0; first < m.face_end(); ++first) {
-    if(result[first] || !m.is_face(first) || !(square[first] < limit)) continue;
+  for(Index first : m.faces()) {
+    if(result[first] || !(square[first] < limit)) continue;
     place.assign(1, first);
     result[first] = 1;
     double spare = 0;
@@ -87,8 +87,7 @@ inline std::vector<Index> faces_with_marked_nodes(const Quad_complex& m,
                                                   const std::vector<char>& marked)
 {
   std::vector<Index> list;
-  for(Index f = 0; f < m.face_end(); ++f) {
-    if(!m.is_face(f)) continue;
+  for(Index f : m.faces()) {
     const Quad q = m.quad(f);
     if(std::any_of(q.begin(), q.end(), [&](Index v) { return marked[v]; })) list.push_back(f);
   }
@@ -104,8 +103,7 @@ inline std::vector<char> faces_among_too_many(const Adaptation_state& s)
   const Quad_complex& m = s.mesh;
   std::vector<float> square(m.face_end(), 0);
   std::vector<Index> small;
-  for(Index f = 0; f < m.face_end(); ++f) {
-    if(!m.is_face(f)) continue;
+  for(Index f : m.faces()) {
     const double r = s.size_ratio(f);
     square[f] = float((std::min)(r * r, 1.));
     if(square[f] < too_many + margin) small.push_back(f);
@@ -128,9 +126,8 @@ inline std::vector<Index> faces_to_work_on(const Adaptation_state& s)
   constexpr double left_behind = 5;
   const std::vector<char> too_many = faces_among_too_many(s);
   std::vector<Index> list;
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && (too_many[f] || !is_good(s, f) || s.coverage.cost(f) > left_behind) &&
-       !is_beyond_help(s, f))
+  for(Index f : s.mesh.faces())
+    if((too_many[f] || !is_good(s, f) || s.coverage.cost(f) > left_behind) && !is_beyond_help(s, f))
       list.push_back(f);
   return list;
 }
@@ -138,8 +135,8 @@ inline std::vector<Index> faces_to_work_on(const Adaptation_state& s)
 // Is there nothing to do?  Faces that are too large are the first to tell.
 inline bool is_adapted(const Adaptation_state& s)
 {
-  for(Index f = 0; f < s.mesh.face_end(); ++f)
-    if(s.mesh.is_face(f) && s.size_ratio(f) > size_tolerance && !is_beyond_help(s, f)) return false;
+  for(Index f : s.mesh.faces())
+    if(s.size_ratio(f) > size_tolerance && !is_beyond_help(s, f)) return false;
   return !is_too_fine(s) && faces_to_work_on(s).empty();
 }
 
@@ -160,9 +157,6 @@ inline bool are_many_too_small(const Adaptation_state& s, const std::vector<Inde
       std::count_if(work.begin(), work.end(), [&](Index f) { return s.size_ratio(f) < small; });
   return double(below) > few * double(work.size());
 }
-
-// So many rings of faces about those are worked on.
-constexpr int rings_to_work_on = 8;
 
 // Where that is so all else is left alone, so that a small change costs little.  Tells whether it
 // is so.

@@ -25,6 +25,50 @@ inline bool is_face_open_allowed(const Adaptation_state& s, Index ha, Index hb)
   return between >= 1;
 }
 
+// The faces at a node from outgoing half-edge `from` counter-clockwise to `to`, or to the border,
+// and the sum of their corners opposite the node.
+struct Face_sector
+{
+  std::vector<Index> faces;
+  Vec corners = Vec(0, 0, 0);
+
+  Face_sector(const Quad_complex& m, Index from, Index to)
+  {
+    for(Index h = from; h >= 0 && h != to; h = m.turn_left(h)) {
+      faces.push_back(m.face(h));
+      corners = corners + m.point(m.target(m.next(h)));
+    }
+  }
+
+  // From p towards the middle of the corners.
+  Vec step_into(const Vec& p, double step) const
+  {
+    return (1 - step) * p + (step / double(faces.size())) * corners;
+  }
+};
+
+// A node is split into `old`, as which it comes, and the one that is returned.  Both step back from
+// the new face, so that it is open from the start.
+inline Vertex_record split_node(const Adaptation_state& s, const Face_sector& ahead,
+                                const Face_sector& behind, Vertex_record& old)
+{
+  Vertex_record fresh = old;
+  fresh.carrier = Carrier::surface;
+  fresh.curve = -1;
+  fresh.frozen = false;
+  fresh.ideal_faces = 4;
+  const bool both = old.carrier == Carrier::surface && !old.frozen && !behind.faces.empty();
+  const double step = both ? 0.3 : 0.4;
+  fresh.p = ahead.step_into(fresh.p, step);
+  fresh.hint = s.triangle_near(ahead.faces[0], fresh.p);
+  s.place(fresh);
+  if(both) {
+    old.p = behind.step_into(old.p, step);
+    s.place(old);
+  }
+  return fresh;
+}
+
 inline void describe_face_open(Adaptation_state& s, Index ha, Index hb, Cavity& cavity)
 {
   const Quad_complex& m = s.mesh;
@@ -32,36 +76,12 @@ inline void describe_face_open(Adaptation_state& s, Index ha, Index hb, Cavity& 
   cavity.clear();
   cavity.add_old_star(v);
   const int lv = cavity.node(v), la = cavity.node(m.target(ha)), lb = cavity.node(m.target(hb));
-  std::vector<Index> sector; // faces from ha to hb, which take the new node
-  Vec ahead(0, 0, 0), behind(0, 0, 0);
-  for(Index h = ha; h != hb; h = m.turn_left(h)) {
-    sector.push_back(m.face(h));
-    ahead = ahead + m.point(m.target(m.next(h)));
-  }
-  int rest = 0;
-  for(Index h = hb; h >= 0 && h != ha; h = m.turn_left(h), ++rest)
-    behind = behind + m.point(m.target(m.next(h)));
-  Vertex_record fresh = m.vertex(v);
-  fresh.carrier = Carrier::surface;
-  fresh.curve = -1;
-  fresh.frozen = false;
-  fresh.ideal_faces = 4;
-  // both nodes step back from the new face, so that it is open from the start
-  const bool both = m.vertex(v).carrier == Carrier::surface && !m.vertex(v).frozen && rest > 0;
-  const double step = both ? 0.3 : 0.4;
-  fresh.p = (1 - step) * fresh.p + (step / double(sector.size())) * ahead;
-  fresh.hint = s.triangle_near(sector[0], fresh.p);
-  s.place(fresh);
-  if(both) {
-    Vertex_record& old = cavity.nodes[lv];
-    old.p = (1 - step) * old.p + (step / rest) * behind;
-    s.place(old);
-  }
-  const int lw = cavity.add_new_node(fresh);
+  const Face_sector ahead(m, ha, hb), behind(m, hb, ha); // the former takes the new node
+  const int lw = cavity.add_new_node(split_node(s, ahead, behind, cavity.nodes[lv]));
   const std::vector<Index> faces = cavity.old_faces;
   for(Index f : faces) {
     Cavity_quad q = cavity.copy_of(f);
-    if(std::find(sector.begin(), sector.end(), f) != sector.end())
+    if(std::find(ahead.faces.begin(), ahead.faces.end(), f) != ahead.faces.end())
       for(int k = 0; k < 4; ++k)
         if(q.v[k] == lv) {
           q.v[k] = lw;
@@ -70,7 +90,7 @@ inline void describe_face_open(Adaptation_state& s, Index ha, Index hb, Cavity& 
     cavity.quads.push_back(q);
   }
   const Index ca = m.curve(ha), cb = m.curve(hb);
-  cavity.add_quad(lv, la, lw, lb, { ca, -1, -1, cb }, sector[0]);
+  cavity.add_quad(lv, la, lw, lb, { ca, -1, -1, cb }, ahead.faces[0]);
 }
 
 } // namespace internal

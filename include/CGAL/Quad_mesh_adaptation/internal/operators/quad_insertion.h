@@ -25,7 +25,7 @@ inline void describe_quad_insertion(Adaptation_state& s, Index f, Cavity& cavity
   cavity.clear();
   cavity.add_old_face(f);
   const Corners p = s.corners(f);
-  const Vec centre = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+  const Vec centre = face_centre(p);
   int outer[4], inner[4];
   for(int i = 0; i < 4; ++i) {
     outer[i] = cavity.node(q[i]);

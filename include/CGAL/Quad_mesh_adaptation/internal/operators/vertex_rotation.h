@@ -18,9 +18,7 @@ inline bool is_vertex_rotation_allowed(const Adaptation_state& s, Index v)
 {
   const Quad_complex& m = s.mesh;
   if(m.is_border_vertex(v) || m.vertex(v).carrier != Carrier::surface) return false;
-  std::vector<Index> out;
-  m.outgoing(v, out);
-  for(Index h : out)
+  for(Index h : m.outgoing(v))
     if(m.curve(h) >= 0) return false;
   return true;
 }
