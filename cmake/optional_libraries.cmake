@@ -16,19 +16,22 @@ set(library_of_json nlohmann_json::nlohmann_json)
 set(library_of_muParser muparser::muparser)
 set(library_of_GoogleBenchmark benchmark::benchmark)
 set(library_of_TBB CGAL::TBB_support)
+set(library_of_options quad_mesh_example_options)
 
 # The core, compiled once for all programs of this project, which saves most of their compile time.
 # The package is header-only all the same: the checks of the headers, the test of the installed
 # package and whoever does not define this macro compile it so.
 add_library(quad_mesh_core STATIC EXCLUDE_FROM_ALL
-  ${PROJECT_SOURCE_DIR}/examples/Quad_mesh_adaptation/support/compiled_core.cpp)
+  ${PROJECT_SOURCE_DIR}/examples/Quad_mesh_adaptation/support/compiled_core.cpp
+  ${PROJECT_SOURCE_DIR}/examples/Quad_mesh_adaptation/support/compiled_files.cpp)
 target_link_libraries(quad_mesh_core PUBLIC CGAL::Quad_mesh_adaptation
   PRIVATE quad_mesh_build_flags)
 target_compile_definitions(quad_mesh_core PUBLIC QUAD_MESH_ADAPTATION_COMPILED_CORE)
 # With threads where TBB is there: then for all programs, for they share the compiled core.
 target_link_libraries(quad_mesh_core PUBLIC $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>)
 
-# Links `target` to the libraries that are named (Eigen, CLI11, json, muParser, GoogleBenchmark, TBB).
+# Links `target` to the libraries that are named (Eigen, CLI11, json, muParser, GoogleBenchmark, TBB,
+# options: those of the programs of the paper's cases).
 function(quad_mesh_link target)
   target_link_libraries(${target} PRIVATE quad_mesh_core quad_mesh_build_flags)
   foreach(name IN LISTS ARGN)
@@ -74,7 +77,7 @@ function(quad_mesh_check_libraries result target)
   endif()
 endfunction()
 
-# quad_mesh_program(name [INSTALL] [LIBRARIES Eigen CLI11 json muParser GoogleBenchmark]
+# quad_mesh_program(name [INSTALL] [LIBRARIES Eigen CLI11 json muParser GoogleBenchmark options]
 #                   [SOURCES file.cpp ...])
 # builds the sources, by default name.cpp.
 function(quad_mesh_program name)

@@ -17,6 +17,9 @@ memory=$(awk '/^MemAvailable/ { print int($2 / 1500000) }' /proc/meminfo) # 1.5 
 jobs=$(nproc)
 [[ $memory -ge $jobs ]] || jobs=$((memory > 1 ? memory : 1))
 
+# ccache is not to preprocess what is new to it, and to work with precompiled headers.
+export CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+
 mkdir -p build
 echo "Building ${targets[*]} in $folder with $jobs job(s) ..."
 cmake -S . -B "$folder" -G Ninja "$@" >"$folder.log" 2>&1 || { cat "$folder.log"; exit 1; }

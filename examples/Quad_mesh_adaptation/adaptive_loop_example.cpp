@@ -90,10 +90,8 @@ int main(int argc, char* argv[])
                           "refinement.");
   double wanted = 0.0088; // a little below what the finest uniform mesh has
   int rounds = 3;
-  options.app.add_option("--error", wanted, "Error wanted, as a share of the energy norm")
-      ->check(CLI::Range(1e-3, 0.1));
-  options.app.add_option("--rounds", rounds, "Rounds of solve, estimate, adapt")
-      ->check(CLI::Range(1, 10));
+  options.add("--error", wanted, 1e-3, 0.1, "Error wanted, as a share of the energy norm");
+  options.add("--rounds", rounds, 1, 10, "Rounds of solve, estimate, adapt");
   if(!options.parse(argc, argv)) return options.exit_code;
 
   const paper_cases::Paper_case c = paper_cases::plate_with_hole(options.k);

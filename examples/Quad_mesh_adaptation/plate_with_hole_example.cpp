@@ -18,10 +18,9 @@ int main(int argc, char* argv[])
   Example_options options("The paper's plate with a hole: Figures 11 to 13, Tables 3 and 4.");
   double error = 0.01;
   bool by_formula = false;
-  options.app
-      .add_option("--error", error, "Error wanted, as a share of the energy norm, for k = 1")
-      ->check(CLI::Range(1e-4, 0.5));
-  options.app.add_flag("--formula", by_formula, "Sizes by a formula, not from the analysis");
+  options.add("--error", error, 1e-4, 0.5,
+              "Error wanted, as a share of the energy norm, for k = 1");
+  options.add_flag("--formula", by_formula, "Sizes by a formula, not from the analysis");
   if(!options.parse(argc, argv)) return options.exit_code;
 
   paper_cases::Paper_case c = paper_cases::plate_with_hole(options.k);

@@ -5,6 +5,8 @@
 
 #include "support/symmetry_fixture.h"
 
+#include <CGAL/Quad_mesh_adaptation/internal/mirror_planes.h>
+
 #include <gtest/gtest.h>
 
 #include <functional>

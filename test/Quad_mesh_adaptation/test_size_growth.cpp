@@ -8,6 +8,7 @@
 #include "support/usual_passes.h"
 
 #include <CGAL/Quad_mesh_adaptation/Graded_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 
 #include <gtest/gtest.h>
 

@@ -6,46 +6,40 @@
 
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
-#include <CLI/CLI.hpp>
-
-#include <map>
+#include <memory>
 #include <string>
 
-/// The command line that the programs of the paper's cases share; a program may add options to
-/// `app` before it calls `parse()`.
-struct Example_options
+namespace CLI {
+class App;
+}
+
+/// The command line that the programs of the paper's cases share; a program may add options before
+/// it calls `parse()`.  Compiled once: CLI11 is large.
+class Example_options
 {
+public:
   using Schedule = CGAL::Quad_mesh_adaptation::Schedule;
 
-  explicit Example_options(const std::string& description) : app(description)
-  {
-    const std::map<std::string, Schedule> schedules = { { "default", Schedule::progressive },
-                                                        { "paper", Schedule::paper } };
-    app.add_option("directory", directory, "Where to write the meshes and pictures")
-        ->check(CLI::ExistingDirectory);
-    app.add_option("--schedule", schedule, "default, or paper: step by step as published")
-        ->transform(CLI::CheckedTransformer(schedules));
-    app.add_option("--k", k, "Initial mesh k times finer, sizes k times smaller")
-        ->check(CLI::Range(1, 100));
-  }
+  explicit Example_options(const std::string& description);
+  ~Example_options();
+
+  /// Numbers from `least` to `most`.
+  void add(const std::string& name, double& value, double least, double most,
+           const std::string& description);
+  void add(const std::string& name, int& value, int least, int most,
+           const std::string& description);
+  void add_flag(const std::string& name, bool& value, const std::string& description);
 
   /// False when the program is to end with `exit_code`: after --help or a wrong command line.
-  bool parse(int argc, char** argv)
-  {
-    try {
-      app.parse(argc, argv);
-      return true;
-    } catch(const CLI::ParseError& e) {
-      exit_code = app.exit(e);
-      return false;
-    }
-  }
+  bool parse(int argc, char** argv);
 
-  CLI::App app;
   std::string directory = ".";
   Schedule schedule = Schedule::progressive;
   int k = 1;
   int exit_code = 0;
+
+private:
+  std::unique_ptr<CLI::App> app_;
 };
 
 #endif // QUAD_MESH_ADAPTATION_EXAMPLES_EXAMPLE_OPTIONS_H

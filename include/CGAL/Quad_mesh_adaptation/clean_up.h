@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_CLEAN_UP_H
 #define CGAL_QUAD_MESH_ADAPTATION_CLEAN_UP_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
 namespace CGAL {
@@ -25,11 +25,9 @@ Adaptation_report clean_up(const SizingField& sizing, QuadMesh& mesh,
                            const NamedParameters& np = parameters::default_values())
 {
   const int passes = int(internal::decode_iterations(np, 10));
-  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np,
-                               internal::Call_kind{ false, false, true },
-                               [&](internal::Adaptation_state& s) {
-                                 internal::clean_up(s, internal::Improvement_options(), passes, 3);
-                               });
+  return internal::run_on_mesh(
+      faces(mesh), false, sizing, mesh, np, internal::Call_kind{ false, false, true },
+      [passes](internal::Adaptation_state& s) { internal::run_clean_up(s, passes); });
 }
 
 } // namespace Quad_mesh_adaptation

@@ -4,9 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_COARSEN_H
 #define CGAL_QUAD_MESH_ADAPTATION_COARSEN_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
-#include <CGAL/Quad_mesh_adaptation/internal/fan_thinning.h>
-#include <CGAL/Quad_mesh_adaptation/internal/ring_coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
 namespace CGAL {
@@ -30,14 +28,7 @@ Adaptation_report coarsen(const SizingField& sizing, QuadMesh& mesh,
   const bool paper = internal::is_paper_schedule(np);
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ paper, false, false },
-      [&](internal::Adaptation_state& s) {
-        if(paper) {
-          internal::coarsen_by_rings(s, 1.0, internal::Improvement_options());
-        } else {
-          internal::thin_fans(s);
-          internal::coarsen_relaxed(s, internal::Improvement_options(), 12);
-        }
-      });
+      [paper](internal::Adaptation_state& s) { internal::run_coarsening(s, paper); });
 }
 
 } // namespace Quad_mesh_adaptation

@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_COARSEN_BOUNDARY_H
 #define CGAL_QUAD_MESH_ADAPTATION_COARSEN_BOUNDARY_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/boundary_coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
 namespace CGAL {
@@ -27,7 +27,7 @@ Adaptation_report coarsen_boundary(const SizingField& sizing, QuadMesh& mesh,
 {
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ true, false, false },
-      [&](internal::Adaptation_state& s) { internal::coarsen_boundary(s); });
+      [](internal::Adaptation_state& s) { internal::run_boundary_coarsening(s); });
 }
 
 } // namespace Quad_mesh_adaptation

@@ -4,64 +4,17 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_EXPECTED_NUMBER_OF_FACES_H
 #define CGAL_QUAD_MESH_ADAPTATION_EXPECTED_NUMBER_OF_FACES_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
-#include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Core_run.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 
-/// The number of faces up to which `expected_number_of_faces()` tries what comes out.
-constexpr double most_rehearsed_faces = 1000;
-
 namespace internal {
-
-// The integral of 1/h^2 over the reference or, without one, over the mesh.
-inline double ideal_faces(const Adaptation_state& s, const Input_mesh& in,
-                          const std::optional<Triangle_soup>& reference)
-{
-  const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
-  if(reference) return ideal_number_of_faces(corner_points(*reference), size);
-  std::vector<Vec> points(s.mesh.vertex_end());
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) points[v] = s.mesh.point(v);
-  return ideal_number_of_faces(Quad_halves(points, in.quads), size);
-}
-
-inline double mean_square_slope(const Adaptation_state& s, const Input_mesh& in)
-{
-  if(s.size.is_constant()) return 0;
-  const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
-  return measure_size_growth(in.points, in.quads, size).mean_square_slope;
-}
-
-// Few faces are tried and counted, unless that takes many to begin with.
-inline bool is_rehearsed(double expected_faces, std::size_t given_faces)
-{
-  return expected_faces <= most_rehearsed_faces && double(given_faces) <= 20 * most_rehearsed_faces;
-}
-
-// The formula's number or, where few faces are expected, that of a trial run.
-template <typename NamedParameters>
-double foretold_faces(const NamedParameters& np, Prepared_run& run)
-{
-  Adaptation_state& s = run.s;
-  const double slope = mean_square_slope(s, run.in);
-  run.bound->start();
-  const Frozen_edges frozen(s, run.in);
-  const double ideal = ideal_faces(s, run.in, run.reference);
-  const double expected = expected_faces(s, ideal, slope, scale_of(run.aim));
-  if(!is_rehearsed(expected, run.in.quads.size())) return expected;
-  adapt_within_bound(
-      run, run.mirror_goal(np, ideal, true),
-      [n = decode_iterations(np)](Adaptation_state& part) { run_default_schedule(part, n); });
-  return double(s.mesh.number_of_faces());
-}
 
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters>
 double expected_number_of_faces(const FaceRange& faces, bool is_region, const SizingField& sizing,
@@ -87,7 +40,7 @@ double expected_number_of_faces(const FaceRange& faces, bool is_region, const Si
         import(mesh, vpm, ecm, vcm, efm, fpm);
     import(faces, is_region, run.in, descriptors);
     run.build<Point>(np);
-    return foretold_faces(np, run);
+    return foretold_faces(run, decode_symmetry(np), decode_iterations(np));
   } catch(const Refused& e) {
     throw std::invalid_argument("expected_number_of_faces: " + e.message);
   } catch(const Bad_projection& e) {

@@ -4,10 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_REFINE_H
 #define CGAL_QUAD_MESH_ADAPTATION_REFINE_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/refinement_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -34,9 +33,7 @@ Adaptation_report refine(const SizingField& sizing, QuadMesh& mesh,
   const std::size_t passes = internal::decode_iterations(np);
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ false, false, true },
-      [&](internal::Adaptation_state& s) {
-        internal::refine_by_octaves(s, internal::Marking_options(), passes);
-      });
+      [passes](internal::Adaptation_state& s) { internal::run_refinement(s, passes); });
 }
 
 } // namespace Quad_mesh_adaptation

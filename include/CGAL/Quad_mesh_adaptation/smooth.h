@@ -4,8 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_SMOOTH_H
 #define CGAL_QUAD_MESH_ADAPTATION_SMOOTH_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
-#include <CGAL/Quad_mesh_adaptation/internal/Phase_scope.h>
+#include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
 namespace CGAL {
@@ -25,11 +24,9 @@ Adaptation_report smooth(const SizingField& sizing, QuadMesh& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
   const int sweeps = int(internal::decode_iterations(np, 10));
-  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np, internal::Call_kind(),
-                               [&](internal::Adaptation_state& s) {
-                                 internal::Phase_scope phase(s, "smoothing");
-                                 internal::smooth(s, sweeps);
-                               });
+  return internal::run_on_mesh(
+      faces(mesh), false, sizing, mesh, np, internal::Call_kind(),
+      [sweeps](internal::Adaptation_state& s) { internal::run_smoothing(s, sweeps); });
 }
 
 } // namespace Quad_mesh_adaptation

@@ -5,12 +5,10 @@
 #define CGAL_QUAD_MESH_ADAPTATION_IO_FILE_TRANSACTION_H
 
 #include <CGAL/Quad_mesh_adaptation/Refusal.h>
+#include <CGAL/Quad_mesh_adaptation/internal/compiled_core.h>
 
 #include <filesystem>
-#include <fstream>
-#include <random>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace CGAL {
@@ -34,50 +32,17 @@ public:
   File_transaction() = default;
   File_transaction(const File_transaction&) = delete;
   File_transaction& operator=(const File_transaction&) = delete;
-  ~File_transaction()
-  {
-    std::error_code ignored;
-    for(const Staged_file& file : files_) std::filesystem::remove(file.temporary, ignored);
-  }
+  ~File_transaction();
 
   /// Writes `contents` beside `target`, which stays as it is.  A symbolic link is followed.
-  Write_result stage(const std::string& target, const std::string& contents)
-  {
-    Staged_file file;
-    Write_result result = choose_names(target, file);
-    if(!result.ok()) return result;
-    std::ofstream stream(file.temporary, std::ios::binary);
-    if(!stream) return refuse(target, "its folder does not exist or cannot be written to");
-    files_.push_back(file);
-    std::error_code no_such_file;
-    const auto permissions = std::filesystem::status(file.target, no_such_file).permissions();
-    if(permissions != std::filesystem::perms::unknown && !no_such_file)
-      std::filesystem::permissions(file.temporary, permissions, no_such_file);
-    stream.write(contents.data(), static_cast<std::streamsize>(contents.size()));
-    stream.close();
-    if(!stream) return refuse(target, "writing failed, perhaps the disk is full");
-    return {};
-  }
+  Write_result stage(const std::string& target, const std::string& contents);
 
   /// Gives every staged file its name, replacing what had it.  Stops at the first that fails; only
   /// then can some files be in place and others not.
-  Write_result commit()
-  {
-    while(!files_.empty()) {
-      std::error_code error;
-      std::filesystem::rename(files_.front().temporary, files_.front().target, error);
-      if(error) return refuse(files_.front().target.string(), error.message());
-      files_.erase(files_.begin());
-    }
-    return {};
-  }
+  Write_result commit();
 
   /// Whether `stage()` would find a place to write `target`; leaves nothing behind.
-  static Write_result probe(const std::string& target)
-  {
-    File_transaction trial;
-    return trial.stage(target, "");
-  }
+  static Write_result probe(const std::string& target);
 
 private:
   struct Staged_file
@@ -85,36 +50,18 @@ private:
     std::filesystem::path target, temporary;
   };
 
-  static Write_result refuse(const std::string& target, const std::string& why)
-  {
-    return { Refusal::unwritable_file, target + ": cannot be written: " + why };
-  }
+  static Write_result refuse(const std::string& target, const std::string& why);
 
-  static Write_result choose_names(const std::string& target, Staged_file& file)
-  {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(target, error);
-    file.target = target;
-    if(std::filesystem::exists(status)) {
-      if(!std::filesystem::is_regular_file(status)) return refuse(target, "it is no regular file");
-      // a file that its owner protects is not to be replaced, though its folder would allow it
-      if(!std::ofstream(target, std::ios::binary | std::ios::app))
-        return refuse(target, "it exists and may not be changed");
-      file.target = std::filesystem::canonical(target, error);
-      if(error) return refuse(target, error.message());
-    }
-    std::random_device random;
-    do {
-      file.temporary = file.target;
-      file.temporary += "." + std::to_string(random()) + ".part";
-    } while(std::filesystem::exists(file.temporary, error));
-    return {};
-  }
+  static Write_result choose_names(const std::string& target, Staged_file& file);
 
   std::vector<Staged_file> files_;
 };
 
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL
+
+#ifndef QUAD_MESH_ADAPTATION_COMPILED_CORE
+#include <CGAL/Quad_mesh_adaptation/internal/File_transaction_impl.h>
+#endif
 
 #endif // CGAL_QUAD_MESH_ADAPTATION_IO_FILE_TRANSACTION_H

@@ -5,8 +5,9 @@
 #define CGAL_QUAD_MESH_ADAPTATION_IO_READ_NODAL_SIZES_H
 
 #include <CGAL/Quad_mesh_adaptation/IO/Read_result.h>
-#include <CGAL/Quad_mesh_adaptation/IO/read_quad_mesh.h>
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
+#include <CGAL/Quad_mesh_adaptation/internal/file_calls.h>
+#include <CGAL/Quad_mesh_adaptation/internal/file_names.h>
 
 #include <cmath>
 #include <exception>
@@ -24,11 +25,9 @@ inline Read_result read_nodal_sizes(const std::string& file, const std::string& 
 {
   if(extension_of(file) != "ply")
     return refuse(Refusal::unreadable_file, "its name must end in .ply");
-  std::string bytes;
   Polygon_soup soup;
   Mesh_fields fields;
-  Read_result result = read_bytes(file, bytes);
-  if(result.ok()) result = read_ply(bytes, soup, &fields);
+  const Read_result result = read_soup(file, soup, &fields);
   if(!result.ok()) return result;
   const Scalar_field* sizes = Mesh_fields::find(fields.vertex, property);
   if(!sizes)

@@ -6,66 +6,22 @@
 
 #include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
 #include <CGAL/Quad_mesh_adaptation/IO/Read_result.h>
-#include <CGAL/Quad_mesh_adaptation/internal/file_names.h>
+#include <CGAL/Quad_mesh_adaptation/internal/file_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
-#include <CGAL/Quad_mesh_adaptation/internal/read_obj.h>
-#include <CGAL/Quad_mesh_adaptation/internal/read_off.h>
-#include <CGAL/Quad_mesh_adaptation/internal/read_ply.h>
-#include <CGAL/Quad_mesh_adaptation/internal/soup_check.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <exception>
-#include <filesystem>
-#include <fstream>
-#include <limits>
 #include <new>
 #include <string>
-#include <system_error>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
-
-inline Read_result read_bytes(const std::string& file, std::string& bytes)
-{
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if(!std::filesystem::exists(status))
-    return refuse(Refusal::unreadable_file, "there is no such file");
-  if(!std::filesystem::is_regular_file(status))
-    return refuse(Refusal::unreadable_file, "it is not a regular file");
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if(!stream) return refuse(Refusal::unreadable_file, "the file cannot be opened for reading");
-  const std::streamoff size = stream.tellg();
-  if(size <= 0) return refuse(Refusal::unreadable_file, "the file is empty");
-  bytes.resize(static_cast<std::size_t>(size));
-  stream.seekg(0);
-  if(!stream.read(&bytes[0], size))
-    return refuse(Refusal::unreadable_file, "the file cannot be read to its end");
-  return {};
-}
-
-// By extension.  Never throws but for lack of memory.
-inline Read_result read_soup(const std::string& file, Polygon_soup& soup, Mesh_fields* fields)
-{
-  const std::string extension = extension_of(file);
-  if(extension != "off" && extension != "obj" && extension != "ply")
-    return refuse(Refusal::unreadable_file, "its name must end in .off, .obj or .ply");
-  std::string bytes;
-  const Read_result result = read_bytes(file, bytes);
-  if(!result.ok()) return result;
-  if(extension == "off") return read_off(bytes, soup);
-  if(extension == "obj") return read_obj(bytes, soup, fields);
-  return read_ply(bytes, soup, fields);
-}
 
 // Precondition: `check_soup()` accepted the soup.  `false` when the mesh type could not take it.
 template <class Mesh>
@@ -93,48 +49,6 @@ bool fill_mesh(const Polygon_soup& soup, Mesh& mesh)
   return true;
 }
 
-// Tells of vertices with the coordinates of others, where a surface may be open unexpectedly.
-inline void note_coincident(const Polygon_soup& soup, std::vector<std::string>& notes)
-{
-  std::vector<Vec> points = soup.points;
-  std::sort(points.begin(), points.end(), [](const Vec& p, const Vec& q) {
-    return std::make_tuple(p.x(), p.y(), p.z()) < std::make_tuple(q.x(), q.y(), q.z());
-  });
-  std::size_t n = 0;
-  for(std::size_t i = 1; i < points.size(); ++i) n += points[i] == points[i - 1];
-  if(n == 0) return;
-  notes.push_back(std::to_string(n) + (n == 1 ? " vertex has" : " vertices have") +
-                  " the coordinates of others; they are not merged, and faces that do not share "
-                  "vertices are not connected");
-}
-
-// After vertices have got other numbers, or -1 where they were left out.
-inline void renumber_vertices(const std::vector<Index>& number, Mesh_fields& fields)
-{
-  for(Scalar_field& field : fields.vertex) {
-    std::size_t kept = 0;
-    for(std::size_t v = 0; v < number.size(); ++v)
-      if(number[v] >= 0) field.values[kept++] = field.values[v];
-    field.values.resize(kept);
-  }
-  const auto is_lost = [&](const std::array<std::size_t, 2>& edge) {
-    return number[edge[0]] < 0 || number[edge[1]] < 0;
-  };
-  fields.edges.erase(std::remove_if(fields.edges.begin(), fields.edges.end(), is_lost),
-                     fields.edges.end());
-  for(std::array<std::size_t, 2>& edge : fields.edges)
-    for(std::size_t& v : edge) v = std::size_t(number[v]);
-}
-
-// A file may hold a second list of vertices or of faces, whose properties differ.
-inline void drop_incomplete(std::vector<Scalar_field>& fields, std::size_t entities)
-{
-  fields.erase(
-      std::remove_if(fields.begin(), fields.end(),
-                     [&](const Scalar_field& field) { return field.values.size() != entities; }),
-      fields.end());
-}
-
 template <class Mesh>
 Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only,
                       Mesh_fields* fields = nullptr)
@@ -143,22 +57,12 @@ Read_result read_mesh(const std::string& file, Mesh& mesh, bool quads_only,
   try {
     Polygon_soup soup;
     Mesh_fields read;
-    std::vector<Index> number;
-    result = read_soup(file, soup, fields ? &read : nullptr);
-    drop_incomplete(read.vertex, soup.points.size());
-    drop_incomplete(read.face, soup.faces.size());
-    std::vector<std::string> notes = std::move(result.notes);
-    if(result.ok()) result = check_soup(soup, quads_only, number);
-    result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
-    if(result.ok()) note_coincident(soup, result.notes);
+    result = read_checked_soup(file, quads_only, soup, fields ? &read : nullptr);
     if(result.ok() && !fill_mesh(soup, mesh)) {
       CGAL::clear(mesh);
       result = refuse(Refusal::non_manifold, "the mesh type cannot hold this surface");
     }
-    if(result.ok() && fields) {
-      renumber_vertices(number, read);
-      *fields = std::move(read);
-    }
+    if(result.ok() && fields) *fields = std::move(read);
   } catch(const std::bad_alloc&) {
     CGAL::clear(mesh);
     result = refuse(Refusal::unreadable_file, "there is not enough memory for it");

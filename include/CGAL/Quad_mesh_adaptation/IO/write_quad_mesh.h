@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_IO_WRITE_QUAD_MESH_H
 
 #include <CGAL/Quad_mesh_adaptation/IO/File_transaction.h>
+#include <CGAL/Quad_mesh_adaptation/internal/file_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/file_names.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_formats.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
@@ -38,13 +39,8 @@ template <class QuadMesh>
 std::string quad_mesh_file_contents(const std::string& file, const QuadMesh& mesh,
                                     const Mesh_fields& fields = {})
 {
-  const internal::Polygon_soup soup = internal::soup_of_mesh(mesh);
-  const std::string extension = internal::extension_of(file);
-  if(extension == "off") return internal::to_off(soup);
-  if(extension == "obj") return internal::to_obj(soup, fields);
-  if(extension == "ply") return internal::to_ply(soup, fields);
-  if(extension == "vtk") return internal::to_legacy_vtk(soup, fields);
-  return internal::to_vtu(soup, fields);
+  return internal::file_contents(internal::extension_of(file), internal::soup_of_mesh(mesh),
+                                 fields);
 }
 
 /// Writes a mesh of quads (or any polygons) as OFF, OBJ, PLY, legacy VTK (`.vtk`) or XML VTK

@@ -125,9 +125,10 @@ private:
 
   std::size_t unexcused_to_spare() const
   {
+    if(!spares_shapes_) return 0;
     std::size_t faces = 0;
-    for(Index f = 0; spares_shapes_ && f < s_.mesh.face_end(); ++f)
-      if(s_.mesh.is_face(f) && is_unexcused(s_, f)) ++faces;
+    for(Index f : s_.mesh.faces())
+      if(is_unexcused(s_, f)) ++faces;
     return faces;
   }
 

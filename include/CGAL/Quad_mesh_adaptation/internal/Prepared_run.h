@@ -5,13 +5,13 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PREPARED_RUN_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
-#include <CGAL/Quad_mesh_adaptation/internal/adapt_mirrored.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Mirror_goal.h>
 #include <CGAL/Quad_mesh_adaptation/internal/check_feature_angle.h>
+#include <CGAL/Quad_mesh_adaptation/internal/compiled_core.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/decode_parameters.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
-#include <CGAL/Quad_mesh_adaptation/internal/same_flat_surface.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <optional>
@@ -39,36 +39,6 @@ Feature_options decode_features(const NamedParameters& np)
   return features;
 }
 
-// A separate reference that is the same flat surface as the input is only measured against.
-inline void leave_idle_reference(const Input_mesh& in, const Feature_options& features,
-                                 Geometry_options& geometry, Adaptation_state& s)
-{
-  Geometry_options own = geometry;
-  own.reference = nullptr;
-  if(!own.is_flat_input() || !s.surface.is_planar()) return;
-  Adaptation_state flat;
-  observe_part(s, 1, flat);
-  build_state(in, features, own, flat);
-  if(!is_same_flat_surface(s, flat)) return;
-  geometry = own;
-  s = std::move(flat);
-}
-
-// Runs `algorithm(state)` on what was built of the input; where that may be and this is symmetric,
-// on a part of it that is mirrored then.
-template <typename Algorithm>
-void adapt_state(const Input_mesh& in, const Feature_options& features, Geometry_options geometry,
-                 const std::optional<Mirror_goal>& mirror, const Algorithm& algorithm,
-                 Adaptation_state& s)
-{
-  if(mirror && geometry.reference) leave_idle_reference(in, features, geometry, s);
-  const auto build = [&](const Input_mesh& input, Adaptation_state& state) {
-    build_state(input, features, geometry, state);
-  };
-  if(!mirror || !geometry.is_flat_input() || !adapt_mirrored(in, *mirror, build, algorithm, s))
-    algorithm(s);
-}
-
 // What a run works on: all that was asked for, decoded, and the state built of the mesh.
 struct Prepared_run
 {
@@ -83,8 +53,10 @@ struct Prepared_run
     aim = decode_aim(np);
     s.size.scale_by(scale_of(aim));
     s.workers.use_threads(decode_concurrency(np));
-    bound.emplace(s, decode_max_distance(np));
+    bound_distance(decode_max_distance(np));
   }
+
+  void bound_distance(double allowed);
 
   // Once the mesh has been imported.
   template <typename Point, typename NamedParameters>
@@ -97,12 +69,10 @@ struct Prepared_run
     build_state(in, features, geometry, s);
   }
 
-  // What a part that is mirrored must come to; `ideal`: number of faces.
-  template <typename NamedParameters>
-  std::optional<Mirror_goal> mirror_goal(const NamedParameters& np, double ideal,
-                                         bool is_foretold) const
+  // What a part that is mirrored must come to, if one may be; `ideal`: number of faces.
+  std::optional<Mirror_goal> mirror_goal(bool keeps_symmetry, double ideal, bool is_foretold) const
   {
-    if(!decode_symmetry(np) || bound->is_asked_for()) return std::nullopt;
+    if(!keeps_symmetry || bound->is_asked_for()) return std::nullopt;
     return Mirror_goal{ largest_allowed(aim), ideal, is_foretold };
   }
 
@@ -114,17 +84,6 @@ struct Prepared_run
   Geometry_options geometry;
   std::optional<Distance_bound> bound;
 };
-
-// Adapts as adapt_state() does, and keeps the result within its bound.
-template <typename Algorithm>
-void adapt_within_bound(Prepared_run& run, const std::optional<Mirror_goal>& mirror,
-                        const Algorithm& algorithm)
-{
-  adapt_state(run.in, run.features, run.geometry, mirror, algorithm, run.s);
-  keep_within_distance(run.s);
-  run.bound->lift();
-  keep_sizes_within_distance(run.s);
-}
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPT_MIRRORED_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ADAPT_MIRRORED_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Mirror_goal.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_unfolding.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
@@ -77,14 +78,6 @@ struct Outcome
     s.forget_faces();
     s.disturb_all();
   }
-};
-
-// What is asked of a mesh made of images.
-struct Mirror_goal
-{
-  double limit = 1;          // the largest size ratio allowed
-  double ideal_faces = 0;    // what the sizes ask for
-  bool counts_faults = true; // or is any valid outcome as good as another of as many faces?
 };
 
 inline std::size_t count_faults(const Adaptation_state& s, double limit)

@@ -8,26 +8,21 @@
 #include <CGAL/Quad_mesh_adaptation/Poor_face.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Face_figures.h>
+#include <CGAL/Quad_mesh_adaptation/internal/compiled_core.h>
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
-// The calls from the templates over the caller's mesh down into the core, which knows no such
-// template.  They are inline, and the package header-only, unless
-// QUAD_MESH_ADAPTATION_COMPILED_CORE is defined: then one source file, that includes
-// core_calls_impl.h, compiles the core for all others, which takes most of their compile time away.
-// The programs of this project are built so.
-#ifdef QUAD_MESH_ADAPTATION_COMPILED_CORE
-#define CGAL_QUAD_MESH_ADAPTATION_CORE_CALL
-#else
-#define CGAL_QUAD_MESH_ADAPTATION_CORE_CALL inline
-#endif
-
+// The calls from the templates over the caller's mesh down into the core, see compiled_core.h.
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
+
+// What is done to the state of a mesh.
+using State_algorithm = std::function<void(Adaptation_state&)>;
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void build_state(const Input_mesh& in,
                                                      const Feature_options& features,
@@ -54,6 +49,16 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void keep_sizes_within_distance(Adaptation_s
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_paper_schedule(Adaptation_state& s,
                                                             std::size_t max_iterations);
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_refinement(Adaptation_state& s, std::size_t passes);
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_coarsening(Adaptation_state& s, bool paper);
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_boundary_coarsening(Adaptation_state& s);
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_clean_up(Adaptation_state& s, int passes);
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_smoothing(Adaptation_state& s, int sweeps);
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

@@ -4,14 +4,26 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CORE_CALLS_IMPL_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CORE_CALLS_IMPL_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Phase_scope.h>
+#include <CGAL/Quad_mesh_adaptation/internal/boundary_coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/build_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/clean_up.h>
+#include <CGAL/Quad_mesh_adaptation/internal/coarsening.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/distance_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/expected_count.h>
+#include <CGAL/Quad_mesh_adaptation/internal/fan_thinning.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/paper_schedule.h>
 #include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/refinement_schedule.h>
+#include <CGAL/Quad_mesh_adaptation/internal/ring_coarsening.h>
+#include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -65,6 +77,37 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_paper_schedule(Adaptation_state& s,
                                                             std::size_t max_iterations)
 {
   paper_schedule(s, max_iterations);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_refinement(Adaptation_state& s, std::size_t passes)
+{
+  refine_by_octaves(s, Marking_options(), passes);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_coarsening(Adaptation_state& s, bool paper)
+{
+  if(paper) {
+    coarsen_by_rings(s, 1.0, Improvement_options());
+  } else {
+    thin_fans(s);
+    coarsen_relaxed(s, Improvement_options(), 12);
+  }
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_boundary_coarsening(Adaptation_state& s)
+{
+  coarsen_boundary(s);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_clean_up(Adaptation_state& s, int passes)
+{
+  clean_up(s, Improvement_options(), passes, 3);
+}
+
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_smoothing(Adaptation_state& s, int sweeps)
+{
+  Phase_scope phase(s, "smoothing");
+  smooth(s, sweeps);
 }
 
 } // namespace internal

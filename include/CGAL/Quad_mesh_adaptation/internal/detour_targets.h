@@ -51,8 +51,8 @@ Index least_face(const Adaptation_state& s, const Tried_faces& tried, double bou
                  const Value& value, const Meant& is_meant)
 {
   Index least = -1;
-  for(Index f = 0; f < s.mesh.face_end(); ++f) {
-    if(!s.mesh.is_face(f) || tried.contains(f)) continue;
+  for(Index f : s.mesh.faces()) {
+    if(tried.contains(f)) continue;
     const double x = value(f);
     if(x >= bound || !is_to_work_on(s, f) || !is_meant(f)) continue;
     bound = x;
@@ -75,8 +75,8 @@ inline Index worst_about_crowds(const Adaptation_state& s, const Tried_faces& tr
   Index worst = -1;
   double least = 2;
   std::vector<Index> out;
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) {
-    if(!s.mesh.is_vertex(v) || faces_too_many(s, v) == 0) continue;
+  for(Index v : s.mesh.vertices()) {
+    if(faces_too_many(s, v) == 0) continue;
     s.mesh.outgoing(v, out);
     const auto is_tried = [&](Index h) { return tried.contains(s.mesh.face(h)); };
     if(std::any_of(out.begin(), out.end(), is_tried)) continue;
