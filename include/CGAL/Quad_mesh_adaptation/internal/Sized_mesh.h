@@ -31,6 +31,11 @@ struct Worked_mesh
   std::vector<char> region;
 
   bool is_to_work_on(Index v) const { return v >= Index(region.size()) || region[v]; }
+  bool is_face_to_work_on(Index f) const
+  {
+    const Quad q = mesh.quad(f);
+    return std::all_of(q.begin(), q.end(), [this](Index v) { return is_to_work_on(v); });
+  }
   std::vector<char> all_to_work_on() const
   {
     std::vector<char> all = region;

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Faces that detours are for, by their numbers at some time.
+// Faces about which detours have been tried, by their numbers then.
 class Tried_faces
 {
 public:
@@ -39,12 +39,6 @@ struct Detour_target
   bool (*is_left)(const Adaptation_state& s, Index f);
 };
 
-inline bool is_to_work_on(const Adaptation_state& s, Index f)
-{
-  const Quad q = s.mesh.quad(f);
-  return std::all_of(q.begin(), q.end(), [&](Index v) { return s.is_to_work_on(v); });
-}
-
 // The face of the least value below `bound`, of those that `is_meant` accepts; -1: none.
 template <typename Value, typename Meant>
 Index least_face(const Adaptation_state& s, const Tried_faces& tried, double bound,
@@ -54,7 +48,7 @@ Index least_face(const Adaptation_state& s, const Tried_faces& tried, double bou
   for(Index f : s.mesh.faces()) {
     if(tried.contains(f)) continue;
     const double x = value(f);
-    if(x >= bound || !is_to_work_on(s, f) || !is_meant(f)) continue;
+    if(x >= bound || !s.is_face_to_work_on(f) || !is_meant(f)) continue;
     bound = x;
     least = f;
   }
@@ -83,7 +77,7 @@ inline Index worst_about_crowds(const Adaptation_state& s, const Tried_faces& tr
     for(Index h : out) {
       const Index f = s.mesh.face(h);
       const double jacobian = scaled_jacobian(s.corners(f));
-      if(jacobian >= least || !is_to_work_on(s, f)) continue;
+      if(jacobian >= least || !s.is_face_to_work_on(f)) continue;
       least = jacobian;
       worst = f;
     }

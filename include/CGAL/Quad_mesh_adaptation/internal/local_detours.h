@@ -84,9 +84,8 @@ private:
     if(are_sizes_out_of_reach(s_)) return;
     s_.detours_left = trials_to_thin_out;
     trial_.spare_shapes();
-    try_in_parts(far_too_small_faces(), { &rows_ });
-    try_in_parts(far_too_small_faces(), { &closes_ });
-    try_in_parts(far_too_small_faces(), { &rows_ });
+    for(const Detour_search* search : { &rows_, &closes_, &rows_ })
+      try_in_parts(far_too_small_faces(), { search });
   }
 
   // The cheapest that helps, and it makes no faces.

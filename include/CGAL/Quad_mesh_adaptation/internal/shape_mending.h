@@ -33,11 +33,10 @@ inline std::vector<Index> faces_to_mend(const Adaptation_state& s, double least)
 {
   const Quad_complex& m = s.mesh;
   const auto crowded = [&](Index v) { return is_crowded(s, v); };
-  const auto worked_on = [&](Index v) { return s.is_to_work_on(v); };
   std::vector<Index> list;
   for(Index f : m.faces()) {
+    if(!s.is_face_to_work_on(f)) continue;
     const Quad q = m.quad(f);
-    if(!std::all_of(q.begin(), q.end(), worked_on)) continue;
     if(known_quality(s, f) < least || std::any_of(q.begin(), q.end(), crowded)) list.push_back(f);
   }
   return list;
