@@ -166,9 +166,9 @@ inline double ideal_faces(const Adaptation_state& s, const Input_mesh& in,
 {
   const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
   if(reference) return ideal_number_of_faces(corner_points(*reference), size);
-  std::vector<Vec> points(s.mesh.vertex_end());
-  for(Index v = 0; v < s.mesh.vertex_end(); ++v) points[v] = s.mesh.point(v);
-  return ideal_number_of_faces(Quad_halves(points, in.quads), size);
+  const auto corners_of = [&](std::size_t k) { return s.corners(Index(k)); }; // as they came
+  return ideal_number_of_faces(Halves_of_faces<decltype(corners_of)>(in.quads.size(), corners_of),
+                               size);
 }
 
 inline double mean_square_slope(const Adaptation_state& s, const Input_mesh& in)

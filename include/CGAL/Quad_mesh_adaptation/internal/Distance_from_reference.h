@@ -40,7 +40,7 @@ public:
   void note(Index f, double d, Largest_distance& largest)
   {
     if(is_careful_) of_face_[f] = (std::max)(of_face_[f], d);
-    largest.note(d);
+    largest.note(d, f);
   }
 
 private:

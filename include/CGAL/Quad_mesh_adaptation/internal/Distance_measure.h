@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_from_reference.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_figures.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Largest_distance.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_order.h>
 #include <CGAL/Quad_mesh_adaptation/internal/own_triangles.h>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -31,15 +33,28 @@ namespace internal {
 class Distance_measure
 {
 public:
-  explicit Distance_measure(const Adaptation_state& s,
-                            double care = (std::numeric_limits<double>::infinity)())
+  // `own`: the farthest of the faces that an input which is its own reference has had.
+  explicit Distance_measure(const Adaptation_state& s, double care = only_largest,
+                            const std::optional<Farthest_face>& own = std::nullopt)
       : s_(s), by_face_(s.mesh.face_end(), care)
   {
     measure_curves();
     if(s_.surface.is_planar()) return;
     is_own_ = faces_with_own_triangles(s_);
+    use(own);
     measure_faces();
     Distance_from_reference(s_, is_own_, by_face_, from_reference_)();
+  }
+
+  // No face needs care.
+  static constexpr double only_largest = std::numeric_limits<double>::infinity();
+
+  // Of those that consist of their own triangles, if one of them is the farthest of all.
+  std::optional<Farthest_face> farthest_own() const
+  {
+    const Index f = to_reference_.face();
+    if(f < 0 || is_own_.empty() || !is_own_[f]) return std::nullopt;
+    return Farthest_face{ f, to_reference_.value() };
   }
 
   double to_reference() const { return to_reference_.value(); }
@@ -50,6 +65,14 @@ public:
 
 private:
   static constexpr int curve_samples = 8;
+
+  // While that is still there no other face that has been left as it was is farther.
+  void use(const std::optional<Farthest_face>& own)
+  {
+    if(!own || own->face >= Index(is_own_.size()) || !is_own_[own->face]) return;
+    is_own_known_ = true;
+    to_reference_.note(own->distance, own->face);
+  }
 
   void measure_faces()
   {
@@ -72,6 +95,7 @@ private:
     const Quad_complex& m = s_.mesh;
     const double at[9][2] = { { .5, .5 }, { .25, .25 }, { .75, .25 }, { .75, .75 }, { .25, .75 },
                               { .5, 0. }, { 1., .5 },   { .5, 1. },   { 0., .5 } };
+    if(is_own_known_ && is_own_[f]) return;
     const Corners p = s_.corners(f);
     if(is_near_own_triangles(f, p)) return;
     Index hint = s_.triangle_near(f, p[0]);
@@ -119,7 +143,8 @@ private:
       const Index k = s_.mesh.patch(f);
       const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
       const Vec direction = area_vector(s_.corners(f));
-      if(!by_face_.is_careful() && !asks_tree_) return to_reference_.doubt(d, q, patch, direction);
+      if(!by_face_.is_careful() && !asks_tree_)
+        return to_reference_.doubt(d, q, patch, direction, f);
       Index nearer = s_.surface.find_nearer(q, patch, direction, d);
       if(nearer >= 0) {
         hint = nearer;
@@ -156,7 +181,7 @@ private:
 
   const Adaptation_state& s_;
   Distances_by_face by_face_;
-  bool asks_tree_ = false;
+  bool asks_tree_ = false, is_own_known_ = false;
   Largest_distance to_reference_, from_reference_;
   std::vector<char> is_own_; // is a face two triangles of the reference?
 };

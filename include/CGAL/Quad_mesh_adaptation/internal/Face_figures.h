@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -22,9 +23,16 @@ namespace internal {
 struct Face_figures
 {
   double jacobian = 0, ratio_at_centre = -1;
-  std::array<Integral_and_error, 2> halves = {}; // what the sizes ask for; zero if nobody asks
+  Integral_and_error asked = {}; // by the sizes, in faces; zero if nobody wants to know
 
   bool is_known() const { return ratio_at_centre >= 0; }
+};
+
+// The face that is farthest from a reference surface.
+struct Farthest_face
+{
+  Index face;
+  double distance;
 };
 
 // The figures of all faces of a mesh, in their order.  Those of the faces of an input are kept, to
@@ -93,6 +101,9 @@ public:
     for(std::size_t k : faces) extremes_.push_back(place_[k]);
   }
 
+  // Of the faces of the input, by their numbers.
+  std::optional<Farthest_face> farthest;
+
 private:
   void find_nodes_left(const Quad_complex& m)
   {
@@ -118,49 +129,6 @@ private:
   std::vector<Index> place_;    // of face k among those of the input, or below zero among others
   std::vector<Index> extremes_; // by face of the input
 };
-
-// Halves of the quads of which there are figures, with what is known of them.
-template <typename Corners_of>
-class Measured_halves
-{
-public:
-  Measured_halves(const Figures_of_faces& figures, const Corners_of& corners_of)
-      : figures_(figures), corners_of_(corners_of)
-  {
-  }
-
-  std::size_t size() const { return 2 * figures_.size(); }
-  Triangle operator[](std::size_t i) const
-  {
-    const std::array<Vec, 4> p = corners_of_(i / 2);
-    return halves(p[0], p[1], p[2], p[3])[i % 2];
-  }
-
-  class Integrals
-  {
-  public:
-    explicit Integrals(const Figures_of_faces& figures) : figures_(figures) {}
-    std::size_t size() const { return 2 * figures_.size(); }
-    const Integral_and_error& operator[](std::size_t i) const
-    {
-      return figures_[i / 2].halves[i % 2];
-    }
-
-  private:
-    const Figures_of_faces& figures_;
-  };
-  Integrals integrals() const { return Integrals(figures_); }
-
-private:
-  const Figures_of_faces& figures_;
-  const Corners_of& corners_of_;
-};
-
-template <typename Corners_of, typename Size>
-auto integrals_over(const Measured_halves<Corners_of>& halves, const Size&)
-{
-  return halves.integrals();
-}
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

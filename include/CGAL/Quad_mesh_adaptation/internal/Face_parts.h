@@ -28,7 +28,7 @@ public:
       Index label = -1;
       for(Index h = 4 * f; h < 4 * f + 4; ++h) {
         const Index o = m.opposite(h), g = o < 0 ? f : m.face(o);
-        if(!(g < f && is_link(h))) continue;
+        if(!(g < f && label_[g] != label && is_link(h))) continue;
         if(label >= 0) labels_.unite(label, label_[g]);
         label = labels_.find(label_[g]);
       }

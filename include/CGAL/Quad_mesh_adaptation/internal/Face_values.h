@@ -45,11 +45,12 @@ public:
   // Precondition: it is known.
   Number operator[](Index f) const { return values_[f]; }
 
-  // `face_end`: number of records in the mesh.
-  void set(Index f, Number value, Index face_end)
+  // `face_end`: number of records in the mesh.  Returns the value.
+  Number set(Index f, Number value, Index face_end)
   {
     if(f >= Index(values_.size())) fit(face_end);
     values_[f] = value;
+    return value;
   }
   void fit(Index face_end)
   {

@@ -26,18 +26,23 @@ public:
     return doubts_.size() == most ? (std::max)(confirmed_, doubts_.back().distance) : confirmed_;
   }
 
-  // One that is known for sure.
-  void note(double d) { confirmed_ = (std::max)(confirmed_, d); }
+  // One that is known for sure; `face`: where it was found, if that matters.
+  void note(double d, Index face = -1)
+  {
+    if(!(d > confirmed_)) return;
+    confirmed_ = d;
+    face_ = face;
+  }
 
   // One by walking, of a point that should be looked for on a patch (-1: any) and on triangles that
   // do not face away from `direction`.
-  void doubt(double d, const Vec& p, Index patch, const Vec& direction)
+  void doubt(double d, const Vec& p, Index patch, const Vec& direction, Index face = -1)
   {
     if(!(d > threshold())) return;
     if(doubts_.size() == most) doubts_.pop_back();
     const auto place = std::find_if(doubts_.begin(), doubts_.end(),
                                     [d](const Doubt& x) { return x.distance < d; });
-    doubts_.insert(place, { d, p, direction, patch });
+    doubts_.insert(place, { d, p, direction, patch, face });
   }
 
   // False if the largest may be among those not kept: all but a few walks went wrong.
@@ -48,7 +53,7 @@ public:
       Index nearer = surface.scan_nearer(x.p, x.patch, x.direction, x.distance);
       double d = x.distance;
       if(nearer >= 0) d = (std::min)(d, distance(x.p, surface.project(x.p, nearer)));
-      note(d);
+      note(d, x.face);
     }
     const bool is_settled = doubts_.size() < most || doubts_.back().distance <= confirmed_;
     doubts_.clear();
@@ -56,6 +61,7 @@ public:
   }
 
   double value() const { return confirmed_; }
+  Index face() const { return face_; } // -1: none
 
 private:
   static constexpr std::size_t most = 16;
@@ -64,11 +70,12 @@ private:
   {
     double distance;
     Vec p, direction;
-    Index patch;
+    Index patch, face;
   };
 
   std::vector<Doubt> doubts_; // the largest few, in order
   double confirmed_ = 0;
+  Index face_ = -1;
 };
 
 } // namespace internal

@@ -55,7 +55,7 @@ public:
 
   std::size_t number_of_triangles() const { return triangles_.size(); }
 
-  std::array<Vec, 3> triangle(Index t) const
+  BOOST_FORCEINLINE std::array<Vec, 3> triangle(Index t) const
   {
     const auto& c = triangles_[t];
     return { points_[c[0]], points_[c[1]], points_[c[2]] };

@@ -4,10 +4,8 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_SAMPLER_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_SIZE_SAMPLER_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_sizes.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -59,25 +57,8 @@ public:
   double at_face(const Corners& p) const
   {
     if(constant_ > 0) return scale_ * constant_;
-    return at_face(p, at(face_centre(p)));
-  }
-
-  // The same, by what is wanted at its centre.
-  double at_face(const Corners& p, double centre) const
-  {
-    if(constant_ > 0) return scale_ * constant_;
-    const Vec c = face_centre(p);
-    if(sampling == Size_sampling::centre) return centre;
-    const double g = 0.5 / std::sqrt(3.);
-    const Vec u = 0.5 * g * (p[1] + p[2] - p[0] - p[3]); // half steps along the two directions
-    const Vec v = 0.5 * g * (p[2] + p[3] - p[0] - p[1]);
-    const Vec w = g * g * (p[0] - p[1] + p[2] - p[3]);
-    double sum = 0;
-    for(const Vec& q : { c + u + v + w, c + u - v - w, c - u + v - w, c - u - v + w }) {
-      const double h = at(q);
-      sum += 1 / (h * h);
-    }
-    return (std::min)(centre, 2 / std::sqrt(sum));
+    if(sampling == Size_sampling::centre) return at(face_centre(p));
+    return sizes_of_face(p, [this](const Vec& q) { return unscaled(q); }).strict(scale_);
   }
 
 private:

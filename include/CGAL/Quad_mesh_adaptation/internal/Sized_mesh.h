@@ -21,7 +21,7 @@ struct Worked_mesh
 {
   Quad_complex mesh;
 
-  Corners corners(Index f) const
+  BOOST_FORCEINLINE Corners corners(Index f) const
   {
     const Quad q = mesh.quad(f);
     return { mesh.point(q[0]), mesh.point(q[1]), mesh.point(q[2]), mesh.point(q[3]) };
@@ -86,17 +86,12 @@ struct Sized_mesh : Worked_mesh, Face_caches
   {
     return ratios.is_known(f) ? ratios[f] : mean_edge_length(corners(f)) / wanted_size(f);
   }
-  // The same where corners, mean edge length and the size at the centre, not scaled, are at hand;
-  // known from then on.
-  double size_ratio(Index f, const Corners& p, double mean_length, double at_centre) const
+  // The same where the mean edge length and the sizes, not scaled, are at hand; known from then on.
+  double size_ratio(Index f, double mean_length, const Face_sizes& at_hand) const
   {
-    if(size.is_constant()) {
-      ratios.set(f, mean_length / size.at_face(p), mesh.face_end());
-      return ratios[f];
-    }
-    if(!sizes.is_known(f)) sizes.set(f, size.at_face(p, size.scale() * at_centre), mesh.face_end());
-    ratios.set(f, mean_length / sizes[f], mesh.face_end());
-    return ratios[f];
+    if(size.is_constant()) return ratios.set(f, mean_length / wanted_size(f), mesh.face_end());
+    if(!sizes.is_known(f)) sizes.set(f, at_hand.strict(size.scale()), mesh.face_end());
+    return ratios.set(f, mean_length / sizes[f], mesh.face_end());
   }
 
   // The same size as in the ratio.  All who judge face f share it: to find it takes five values of

@@ -22,7 +22,7 @@ inline double mean_edge_length(const Corners& p)
 }
 
 // Twice the vector area, along the face's own normal (cross product of the diagonals).
-inline Vec area_vector(const Corners& p) { return cross(p[2] - p[0], p[3] - p[1]); }
+BOOST_FORCEINLINE Vec area_vector(const Corners& p) { return cross(p[2] - p[0], p[3] - p[1]); }
 
 // Verdict's scaled Jacobian: the smallest sine-like corner value in [-1, 1].
 inline double scaled_jacobian(const Corners& p)

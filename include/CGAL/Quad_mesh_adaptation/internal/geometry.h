@@ -7,6 +7,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -42,15 +44,16 @@ Vec to_vec(const Point& p)
   return Vec(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
 }
 
+// Small functions are called in the innermost loops, where compilers do not always inline them.
 inline double dot(const Vec& a, const Vec& b) { return a * b; }
-inline Vec cross(const Vec& a, const Vec& b)
+BOOST_FORCEINLINE Vec cross(const Vec& a, const Vec& b)
 {
   return Vec(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
              a.x() * b.y() - a.y() * b.x());
 }
 inline double norm(const Vec& a) { return std::sqrt(a * a); }
 inline double distance(const Vec& a, const Vec& b) { return norm(a - b); }
-inline Vec normalized(const Vec& a)
+BOOST_FORCEINLINE Vec normalized(const Vec& a)
 {
   const double n = norm(a);
   return n > 0 ? a / n : Vec(0, 0, 0);

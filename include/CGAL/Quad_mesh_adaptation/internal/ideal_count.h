@@ -4,12 +4,14 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_IDEAL_COUNT_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_IDEAL_COUNT_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Face_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,47 +37,80 @@ struct Integral_and_error
   double value, error;
 };
 
-// 1/h^2 over one triangle by the four-point rule of degree 3 (Strang and Fix).  The one-point rule
-// it contains is off by a share r of the value; where h varies smoothly over the triangle the
-// better rule is off by about r^2, which the estimate overstates tenfold.
+// By a rule of degree 3 and by the one-point rule that it contains.  The latter is off by a share r
+// of the value; where h varies smoothly the better rule is off by about r^2, which the estimate
+// overstates tenfold.
+inline Integral_and_error with_error(double value, double by_one_point)
+{
+  const double coarse_error = std::abs(value - by_one_point);
+  const double share = value > 0 ? coarse_error / value : 1.;
+  return { value, coarse_error * (std::min)(1., 10. * share) };
+}
+
+// h^2 may be zero although h is not; differences of infinite values say nothing.
+inline double density_of(double h) { return (std::min)(1. / (h * h), 1e290); }
+
+// 1/h^2 over one triangle by the four-point rule of degree 3 (Strang and Fix).
 template <typename Size>
 Integral_and_error inverse_square_on(const Triangle& t, const Size& size)
 {
-  // h^2 may be zero although h is not; differences of infinite values say nothing
-  const auto density = [&size](const Vec& p) {
-    const double h = size(p);
-    return (std::min)(1. / (h * h), 1e290);
-  };
+  const auto density = [&size](const Vec& p) { return density_of(size(p)); };
   const Vec sum = t[0] + t[1] + t[2];
   const double centre = density(sum / 3.);
   double corners = 0;
   for(const Vec& p : t) corners += density(0.2 * sum + 0.4 * p);
   const double area = triangle_area(t);
-  const double value = area * (25. * corners - 27. * centre) / 48.;
-  const double coarse_error = std::abs(value - area * centre);
-  const double share = value > 0 ? coarse_error / value : 1.;
-  return { value, coarse_error * (std::min)(1., 10. * share) };
+  return with_error(area * (25. * corners - 27. * centre) / 48., area * centre);
 }
 
-// Triangles that are made when they are asked for, by number.
-class Quad_halves
+// The same over one face of which the sizes are known: the 2 x 2 rule of Gauss, of degree 3 as
+// well. A face that is not convex is looked at by halves.
+template <typename Size>
+Integral_and_error inverse_square_on(const Corners& p, const Face_sizes& known, const Size& size)
+{
+  const std::array<Triangle, 2> t = halves(p[0], p[1], p[2], p[3]);
+  const Vec normal = cross(p[2] - p[0], p[3] - p[1]);
+  std::array<double, 4> at_corners; // areas of the patch, in proportion
+  for(int i = 0; i < 4; ++i)
+    at_corners[i] = normal * cross(p[(i + 1) & 3] - p[i], p[(i + 3) & 3] - p[i]);
+  if(!(*std::min_element(at_corners.begin(), at_corners.end()) > 0)) {
+    const Integral_and_error a = inverse_square_on(t[0], size), b = inverse_square_on(t[1], size);
+    return { a.value + b.value, a.error + b.error };
+  }
+  const double g = 0.5 / std::sqrt(3.), near = (0.5 + g) * (0.5 + g), beside = 0.25 - g * g,
+               far = (0.5 - g) * (0.5 - g);
+  double sum = 0, areas = 0;
+  for(std::size_t k = 0; k < gauss_corners.size(); ++k) {
+    const std::size_t i = gauss_corners[k];
+    const double a = near * at_corners[i] + far * at_corners[i ^ 2] +
+                     beside * (at_corners[(i + 1) & 3] + at_corners[(i + 3) & 3]);
+    areas += a;
+    sum += a * density_of(known.at_gauss[k]);
+  }
+  const double area = triangle_area(t[0]) + triangle_area(t[1]);
+  return with_error(area * (sum / areas), area * density_of(known.at_centre));
+}
+
+// The two triangles of each of many faces, made when they are asked for.
+template <typename Corners_of>
+class Halves_of_faces
 {
 public:
-  Quad_halves(const std::vector<Vec>& points, const std::vector<Quad>& quads)
-      : points_(points), quads_(quads)
+  Halves_of_faces(std::size_t faces, const Corners_of& corners_of)
+      : faces_(faces), corners_of_(corners_of)
   {
   }
 
-  std::size_t size() const { return 2 * quads_.size(); }
+  std::size_t size() const { return 2 * faces_; }
   Triangle operator[](std::size_t i) const
   {
-    const Quad& q = quads_[i / 2];
-    return halves(points_[q[0]], points_[q[1]], points_[q[2]], points_[q[3]])[i % 2];
+    const Corners p = corners_of_(i / 2);
+    return halves(p[0], p[1], p[2], p[3])[i % 2];
   }
 
 private:
-  const std::vector<Vec>& points_;
-  const std::vector<Quad>& quads_;
+  std::size_t faces_;
+  const Corners_of& corners_of_;
 };
 
 inline void append_quarters(const Triangle& t, std::vector<Triangle>& parts)
@@ -85,15 +120,6 @@ inline void append_quarters(const Triangle& t, std::vector<Triangle>& parts)
   parts.push_back({ ab, t[1], bc });
   parts.push_back({ ca, bc, t[2] });
   parts.push_back({ ab, bc, ca });
-}
-
-// Integrals over triangles, by their numbers; other lists of triangles may know them.
-template <typename Triangles, typename Size>
-std::vector<Integral_and_error> integrals_over(const Triangles& triangles, const Size& size)
-{
-  std::vector<Integral_and_error> found(triangles.size());
-  for(std::size_t i = 0; i < found.size(); ++i) found[i] = inverse_square_on(triangles[i], size);
-  return found;
 }
 
 // The integral over triangles, refined from round to round.
@@ -107,24 +133,37 @@ public:
   template <typename Triangles>
   std::vector<Triangle> round(const Triangles& triangles)
   {
-    const auto found = integrals_over(triangles, size_);
+    std::vector<Integral_and_error> found(triangles.size());
+    for(std::size_t i = 0; i < found.size(); ++i) found[i] = inverse_square_on(triangles[i], size_);
+    return round(
+        found.size(), [&](std::size_t i) { return found[i]; },
+        [&](std::size_t i, std::vector<Triangle>& parts) { append_quarters(triangles[i], parts); });
+  }
+
+  // The same for anything that consists of triangles; `found(i)`: the integral over the i-th,
+  // `append(i, parts)`: its parts to be looked at.
+  template <typename Found, typename Append>
+  std::vector<Triangle> round(std::size_t n, const Found& found, const Append& append)
+  {
     double open = 0, open_error = 0;
-    for(std::size_t i = 0; i < found.size(); ++i) {
-      open += found[i].value;
-      open_error += found[i].error;
+    for(std::size_t i = 0; i < n; ++i) {
+      const Integral_and_error x = found(i);
+      open += x.value;
+      open_error += x.error;
     }
     value_ = done_ + open;
     std::vector<Triangle> parts;
     const double allowed = tolerance * value_;
     if(!(done_error_ + open_error > allowed)) return parts; // also ends on infinite values
-    const double share = 0.25 * allowed / double(found.size());
+    const double share = 0.25 * allowed / double(n);
     double settled = 0, settled_error = 0;
-    for(std::size_t i = 0; i < found.size(); ++i) {
-      if(found[i].error > share)
-        append_quarters(triangles[i], parts);
+    for(std::size_t i = 0; i < n; ++i) {
+      const Integral_and_error x = found(i);
+      if(x.error > share)
+        append(i, parts);
       else {
-        settled += found[i].value;
-        settled_error += found[i].error;
+        settled += x.value;
+        settled_error += x.error;
       }
     }
     extra_ += parts.size();
@@ -134,7 +173,12 @@ public:
     return parts;
   }
 
-  double value() const { return value_; }
+  // All that is left to do after a round; returns the integral.
+  double finish(std::vector<Triangle> parts)
+  {
+    while(!parts.empty()) parts = round(parts);
+    return value_;
+  }
 
 private:
   static constexpr double tolerance = 3e-4;
@@ -156,19 +200,16 @@ template <typename Triangles, typename Size>
 double ideal_number_of_faces(const Triangles& triangles, const Size& size)
 {
   Ideal_count<Size> count(size);
+  if(triangles.size() >= least_triangles) return count.finish(count.round(triangles));
   std::vector<Triangle> parts;
-  if(triangles.size() >= least_triangles)
-    parts = count.round(triangles);
-  else
-    for(std::size_t i = 0; i < triangles.size(); ++i) parts.push_back(triangles[i]);
-  while(triangles.size() < least_triangles && !parts.empty() && parts.size() < least_triangles) {
+  for(std::size_t i = 0; i < triangles.size(); ++i) parts.push_back(triangles[i]);
+  while(!parts.empty() && parts.size() < least_triangles) {
     std::vector<Triangle> quarters;
     quarters.reserve(4 * parts.size());
     for(const Triangle& t : parts) append_quarters(t, quarters);
     parts.swap(quarters);
   }
-  while(!parts.empty()) parts = count.round(parts);
-  return count.value();
+  return count.finish(std::move(parts));
 }
 
 } // namespace internal

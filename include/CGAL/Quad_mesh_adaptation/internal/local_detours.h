@@ -78,10 +78,12 @@ public:
 private:
   using Searches = std::vector<const Detour_search*>;
 
-  // Half rows between curves go before single faces: fewer trials, and more faces each time.
+  // Half rows between curves go before single faces: fewer trials, and more faces each time.  Where
+  // few are too small that would not matter.
   void thin_out_in_the_end()
   {
-    if(are_sizes_out_of_reach(s_)) return;
+    constexpr double few = 0.001;
+    if(are_sizes_out_of_reach(s_) || fraction_below(s_, far_too_small) <= few) return;
     s_.detours_left = trials_to_thin_out;
     trial_.spare_shapes();
     for(const Detour_search* search : { &rows_, &closes_, &rows_ })

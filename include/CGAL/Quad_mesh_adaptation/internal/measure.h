@@ -34,8 +34,8 @@ inline Mesh_measures measure(const std::vector<Vec>& points, const std::vector<Q
     const Quad& q = quads[k];
     return { points[q[0]], points[q[1]], points[q[2]], points[q[3]] };
   };
-  const auto strict = [&](std::size_t, const std::array<Vec, 4>& p, double length, double h) {
-    return length / strict_size(p, size, h);
+  const auto strict = [](std::size_t, double length, const Face_sizes& sizes) {
+    return length / sizes.strict();
   };
   const auto known_strict = [](std::size_t) { return 0.; }; // there is none
   measure_faces(corners_of, size, strict, known_strict, reference_triangles, figures, m);

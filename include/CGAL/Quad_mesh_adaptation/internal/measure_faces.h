@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Face_figures.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Face_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/ideal_count.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_quality.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_sizes.h>
@@ -32,17 +33,15 @@ public:
     const Face_shape shape = look_at(k, p);
     x.jacobian = shape.jacobian;
     mean_length_ = shape.mean_length;
-    at_centre_ = size_(face_centre(p));
-    x.ratio_at_centre = mean_length_ / at_centre_;
-    if(!integrates_) return x;
-    const std::array<Triangle, 2> t = halves(p[0], p[1], p[2], p[3]);
-    x.halves = { inverse_square_on(t[0], size_), inverse_square_on(t[1], size_) };
+    sizes_ = sizes_of_face(p, size_);
+    x.ratio_at_centre = mean_length_ / sizes_.at_centre;
+    if(integrates_) x.asked = inverse_square_on(p, sizes_, size_);
     return x;
   }
 
   // Of the last face.
   double mean_length() const { return mean_length_; }
-  double size_at_centre() const { return at_centre_; }
+  const Face_sizes& sizes() const { return sizes_; }
 
   // Only its extremes.
   Face_shape look_at(std::size_t k, const std::array<Vec, 4>& p)
@@ -62,13 +61,31 @@ private:
   bool integrates_;
   Quality_meter quality_;
   std::array<std::size_t, Quality_meter::extremes> extremes_ = {};
-  double mean_length_ = 0, at_centre_ = 0;
+  double mean_length_ = 0;
+  Face_sizes sizes_ = {};
 };
+
+// Number of ideal faces on the faces themselves: few are cut, of many it is known what is asked of
+// each.
+template <typename Corners_of, typename Size>
+double ideal_number_on(const Figures_of_faces& figures, const Corners_of& corners_of,
+                       const Size& size)
+{
+  const std::size_t n = figures.size();
+  const Halves_of_faces<Corners_of> halves(n, corners_of);
+  if(halves.size() < least_triangles) return ideal_number_of_faces(halves, size);
+  Ideal_count<Size> count(size);
+  return count.finish(count.round(
+      n, [&](std::size_t k) { return figures[k].asked; },
+      [&](std::size_t k, std::vector<Triangle>& parts) {
+        for(std::size_t i : { 2 * k, 2 * k + 1 }) append_quarters(halves[i], parts);
+      }));
+}
 
 // Shapes and sizes of all faces of a mesh in one sweep: their corners are far apart in memory, and
 // sizes are dear.  `corners_of(k)`: of face k.  Strict size ratios: `known_strict(k)` of faces of
-// which the figures are known, `strict(k, corners, mean edge length, size at the centre)` of
-// others.  `reference_triangles` as in measure().
+// which the figures are known, `strict(k, mean edge length, sizes)` of others.
+// `reference_triangles` as in measure().
 template <typename Corners_of, typename Size, typename Strict, typename Known_strict>
 void measure_faces(const Corners_of& corners_of, const Size& size, const Strict& strict,
                    const Known_strict& known_strict,
@@ -89,7 +106,7 @@ void measure_faces(const Corners_of& corners_of, const Size& size, const Strict&
     } else {
       const std::array<Vec, 4> p = corners_of(k);
       x = meter(k, p);
-      strictly.add(strict(k, p, meter.mean_length(), meter.size_at_centre()));
+      strictly.add(strict(k, meter.mean_length(), meter.sizes()));
     }
     jacobians.add(x.jacobian);
     at_centre.add(x.ratio_at_centre);
@@ -99,10 +116,8 @@ void measure_faces(const Corners_of& corners_of, const Size& size, const Strict&
   meter.quality().put_into(m);
   m.size_ratio = at_centre.result();
   m.strict_size_ratio = strictly.result();
-  m.ideal_number_of_faces =
-      reference_triangles
-          ? ideal_number_of_faces(*reference_triangles, size)
-          : ideal_number_of_faces(Measured_halves<Corners_of>(figures, corners_of), size);
+  m.ideal_number_of_faces = reference_triangles ? ideal_number_of_faces(*reference_triangles, size)
+                                                : ideal_number_on(figures, corners_of, size);
   m.efficiency = m.ideal_number_of_faces / double(n);
 }
 

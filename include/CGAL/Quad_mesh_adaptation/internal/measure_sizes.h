@@ -32,22 +32,6 @@ inline std::size_t size_ratio_bin(double f)
   return f <= 1.5 ? 6 : 7;
 }
 
-// The size a face must meet wherever its centre lies: the smaller of the size at the centre and
-// the inverse root mean square of the sizes at the 2x2 Gauss points of the bilinear patch.
-template <typename Size>
-double strict_size(const Corners& p, const Size& size, double size_at_centre)
-{
-  const double offset = 0.5 / std::sqrt(3.);
-  double density = 0;
-  for(double u : { 0.5 - offset, 0.5 + offset })
-    for(double v : { 0.5 - offset, 0.5 + offset }) {
-      const double h =
-          size((1 - u) * (1 - v) * p[0] + u * (1 - v) * p[1] + u * v * p[2] + (1 - u) * v * p[3]);
-      density += 0.25 / (h * h);
-    }
-  return (std::min)(size_at_centre, 1. / std::sqrt(density));
-}
-
 // Collects the ratios of all faces into a table.
 class Size_ratio_counter
 {

@@ -48,14 +48,14 @@ inline void measure_faces_of(const Adaptation_state& s, const std::vector<Triang
   const auto size = [&s](const Vec& p) { return s.size.unscaled(p); };
   const auto corners_of = [&](std::size_t k) { return s.corners(figures.face(k)); };
   // strict ratios are asked for before and after this, too
-  const auto strict = [&](std::size_t k, const Corners& p, double length, double h) {
-    return is_strict ? s.size_ratio(figures.face(k), p, length, h) * s.size.scale()
-                     : length / strict_size(p, size, h);
+  const auto strict = [&](std::size_t k, double length, const Face_sizes& sizes) {
+    return is_strict ? s.size_ratio(figures.face(k), length, sizes) * s.size.scale()
+                     : length / sizes.strict();
   };
   const auto known_strict = [&](std::size_t k) {
     if(is_strict) return s.size_ratio(figures.face(k)) * s.size.scale();
     const Corners p = corners_of(k);
-    return mean_edge_length(p) / strict_size(p, size, size(face_centre(p)));
+    return mean_edge_length(p) / sizes_of_face(p, size).strict();
   };
   measure_faces(corners_of, size, strict, known_strict, reference, figures, m);
 }
@@ -74,7 +74,9 @@ inline Mesh_measures measure_state(const Adaptation_state& s,
     measure_faces_of(s, triangles ? &*triangles : nullptr, kept ? *kept : figures, m);
   } // distances need the memory
   m.max_distance_to_reference = largest_distance_of_nodes(s);
-  const Distance_measure distances(s);
+  const Distance_measure distances(s, Distance_measure::only_largest,
+                                   kept ? kept->farthest : std::nullopt);
+  if(kept && !kept->farthest) kept->farthest = distances.farthest_own();
   m.mesh_to_reference = distances.to_reference();
   m.reference_to_mesh = distances.from_reference();
   return m;
