@@ -25,6 +25,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace speed;
@@ -57,7 +58,8 @@ std::vector<Task> all_tasks(const std::vector<Shape>& shapes, int highest,
         tasks.push_back(coarsen_task("coarsen", s, level, 4));
         tasks.push_back(coarsen_task("coarsen 100", s, level, 10));
       }
-      if(level >= 4) tasks.push_back(small_change_task(s, level));
+      if(level >= 4)
+        for(Task& t : small_change_tasks(s, level)) tasks.push_back(std::move(t));
     }
   // Blossom takes more than linear time: at 1e6 an hour would not do
   if(has_gmsh(scratch))

@@ -157,24 +157,31 @@ inline Sizing with_small_change(const Mesh& mesh, const Sizing& size)
   };
 }
 
-/// An adapted mesh to sizes that differ in a small place.
-inline Task small_change_task(const Shape& shape, int level)
+/// An adapted mesh to sizes that differ in a small place, and the mesh it was made of to the same
+/// sizes, from scratch.
+inline std::vector<Task> small_change_tasks(const Shape& shape, int level)
 {
   const double faces = std::pow(10., level);
-  // adapted once for all repetitions
-  const auto adapted = std::make_shared<std::optional<Mesh>>();
-  return { "small change", shape.name, level,
-           [=] {
-             const Sizing size = shape.graded(faces);
-             if(!*adapted) {
-               Mesh mesh = shape.to_adapt(faces);
-               adapt(size, mesh);
-               mesh.collect_garbage();
-               *adapted = std::move(mesh);
-             }
-             return on_mesh(**adapted, with_small_change(**adapted, size), adapt);
-           },
-           true };
+  const auto known = std::make_shared<std::optional<Mesh>>();
+  const auto adapted = [=]() -> const Mesh& { // once for all runs
+    if(!*known) {
+      Mesh mesh = shape.to_adapt(faces);
+      adapt(shape.graded(faces), mesh);
+      mesh.collect_garbage();
+      *known = std::move(mesh);
+    }
+    return **known;
+  };
+  const auto task = [=](const char* what, bool is_from_scratch) {
+    return Task{ what, shape.name, level,
+                 [=] {
+                   const Sizing changed = with_small_change(adapted(), shape.graded(faces));
+                   return on_mesh(is_from_scratch ? shape.to_adapt(faces) : adapted(), changed,
+                                  adapt);
+                 },
+                 !is_from_scratch };
+  };
+  return { task("small change", false), task("small change from scratch", true) };
 }
 
 } // namespace speed
