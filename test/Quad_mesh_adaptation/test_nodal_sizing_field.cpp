@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quad_mesh_adaptation/IO/read_nodal_sizes.h>
+#include <CGAL/Quad_mesh_adaptation/Nearest_face.h>
 #include <CGAL/Quad_mesh_adaptation/Nodal_field.h>
 #include <CGAL/Quad_mesh_adaptation/Nodal_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/limit_size_gradation.h>
@@ -19,6 +20,7 @@
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
@@ -169,6 +171,64 @@ TEST(Nodal_field, carries_a_linear_field_over_to_an_adapted_mesh)
   ASSERT_GT(b.mesh.number_of_faces(), 50u);
   for(Vertex v : b.mesh.vertices())
     EXPECT_NEAR(field(b.mesh.point(v)), linear(b.mesh.point(v)), 1e-12);
+}
+
+Point centre_of(Mesh::Face_index f, const Mesh& mesh)
+{
+  CGAL::Vector_3<Kernel> sum(0, 0, 0);
+  for(Vertex v : vertices_around_face(mesh.halfedge(f), mesh))
+    sum = sum + 0.25 * (mesh.point(v) - CGAL::ORIGIN);
+  return CGAL::ORIGIN + sum;
+}
+
+// Columns of faces, from x = n to n + 1, are of material n.
+TEST(Nearest_face, carries_materials_over_to_an_adapted_mesh)
+{
+  for(double size : { 0.37, 1., 2.5 }) {
+    Background b(9);
+    std::vector<int> material;
+    for(Mesh::Face_index f : b.mesh.faces()) material.push_back(int(centre_of(f, b.mesh).x()));
+    const QMA::Nearest_face nearest(b.mesh);
+    ASSERT_TRUE(QMA::adapt_quad_mesh(size, b.mesh).has_valid_mesh());
+    for(Mesh::Face_index f : b.mesh.faces()) {
+      const Point c = centre_of(f, b.mesh);
+      const int found = material.at(nearest(c));
+      EXPECT_TRUE(found <= c.x() + 1e-12 && c.x() - 1e-12 <= found + 1) << c;
+    }
+  }
+}
+
+// Two sheets that face away from each other; a point nearer to the other one.
+TEST(Nearest_face, tells_sheets_apart_by_the_normal)
+{
+  Mesh sheets;
+  for(double z : { 0., 0.1 }) {
+    std::vector<Vertex> v;
+    for(const auto& [x, y] : { std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1) })
+      v.push_back(sheets.add_vertex(Point(x, y, z)));
+    if(z > 0)
+      sheets.add_face(v[0], v[1], v[2], v[3]);
+    else
+      sheets.add_face(v[3], v[2], v[1], v[0]);
+  }
+  const QMA::Nearest_face nearest(sheets);
+  const Point p(0.3, 0.4, 0.02);
+  const CGAL::Vector_3<Kernel> up(0, 0, 1), aside(1, 0, 0);
+  EXPECT_EQ(nearest(p), 0u);
+  EXPECT_EQ(nearest(p, up), 1u);
+  EXPECT_EQ(nearest(p, -3 * up), 0u);
+  EXPECT_EQ(nearest(p, aside), 0u);
+  sheets.remove_face(Mesh::Face_index(0)); // does not change what was there
+  EXPECT_EQ(nearest(p), 0u);
+}
+
+TEST(Nearest_face, refuses_what_is_not_finite_and_what_has_no_area)
+{
+  Background b(2);
+  EXPECT_THROW(QMA::Nearest_face(b.mesh)(Point(0, std::nan(""), 0)), std::invalid_argument);
+  b.mesh.point(Vertex(4)) = Point(0, 0, std::numeric_limits<double>::infinity());
+  EXPECT_THROW(QMA::Nearest_face(b.mesh).operator()(Point(0, 0, 0)), std::invalid_argument);
+  EXPECT_THROW(QMA::Nearest_face{ Mesh() }, std::invalid_argument);
 }
 
 TEST(Nodal_field, refuses_what_is_not_finite_and_what_has_no_area)

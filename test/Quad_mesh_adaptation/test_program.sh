@@ -195,6 +195,15 @@ expect 0 '' heat.ply heat_out.ply --size 0.8 --quiet
 awk '/^property double/ && !face { n++; if($3 == "heat") at = n } /^element face/ { face = 1 }
   /^end_header/ { data = 1; next } data && at && NF == n { k++; d = $at - (100 + 3 * $1 - 2 * $2); if(d * d > 1e-18) off++ }
   END { exit !(at > 0 && k > 100 && off == 0) }' heat_out.ply || fail "a field was not carried over"
+# and at faces, from the one that was there: column i, row j of the grid
+awk '/^element vertex/ { nv = $3 } /^element face/ { nf = $3; face = 1 } /^element edge/ { face = 0 }
+  /^property (double|int|float|uchar)/ && face { ++m; if($3 == "eta") at = m }
+  /^end_header/ { data = 1; next } !data { next }
+  ++line <= nv { x[line - 1] = $1; y[line - 1] = $2; next }
+  line <= nv + nf { cx = (x[$2] + x[$3] + x[$4] + x[$5]) / 4; cy = (y[$2] + y[$3] + y[$4] + y[$5]) / 4
+    ++k; e = 1e-9; for(i = int(cx - e); i <= int(cx + e); ++i) for(j = int(cy - e); j <= int(cy + e); ++j) {
+      d = $(5 + at) - 1 / (1 + i*i + j*j); if(d * d < 1e-9) { ++good; i = j = 99 } } }
+  END { exit !(at > 0 && k > 60 && good == k) }' heat_out.ply || fail "a field of faces was not carried over"
 # sizes from error indicators
 expect 0 '' sets.ply error.off --error eta --error-reduction 0.2 --ignore-sets --quiet
 expect 0 '' sets.ply error_faces.off --error eta --error-faces 400 --ignore-sets --quiet

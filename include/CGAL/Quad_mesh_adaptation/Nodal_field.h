@@ -4,9 +4,10 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_NODAL_FIELD_H
 #define CGAL_QUAD_MESH_ADAPTATION_NODAL_FIELD_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Values_on_triangles.h>
+#include <CGAL/Quad_mesh_adaptation/internal/append_polygon.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+#include <CGAL/Quad_mesh_adaptation/internal/mesh_arrays.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -14,8 +15,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -65,7 +64,7 @@ public:
       polygon.clear();
       for(Descriptor v : vertices_around_face(halfedge(f, mesh), mesh))
         polygon.push_back(corner.at(v));
-      triangulate(polygon, soup);
+      internal::append_polygon(polygon, soup);
     }
     set_data(std::move(soup));
   }
@@ -93,7 +92,7 @@ public:
         polygon.push_back(corners[std::size_t(v)]);
       }
       require(polygon.size() >= 3, "a polygon has fewer than three points");
-      triangulate(polygon, soup);
+      internal::append_polygon(polygon, soup);
     }
     set_data(std::move(soup));
   }
@@ -107,13 +106,7 @@ public:
   }
 
 private:
-  using Vec = internal::Vec;
-
-  struct Corner
-  {
-    Vec point;
-    double value;
-  };
+  using Corner = internal::Valued_point;
   using Soup = std::vector<internal::Valued_triangle>;
 
   static void require(bool condition, const char* otherwise)
@@ -134,41 +127,6 @@ private:
     require(internal::is_finite(corner.point), "a coordinate is not finite");
     require(std::isfinite(value), "a value is not finite");
     return corner;
-  }
-
-  static Vec area_vector(const Corner& a, const Corner& b, const Corner& c)
-  {
-    return internal::cross(b.point - a.point, c.point - a.point);
-  }
-
-  // Triangles without an area are left out: nothing can lie inside them.
-  static void add(const Corner& a, const Corner& b, const Corner& c, Soup& soup)
-  {
-    const internal::Valued_triangle t = { { a.point, b.point, c.point },
-                                          { a.value, b.value, c.value } };
-    if(t.has_area()) soup.push_back(t);
-  }
-
-  static void triangulate(const std::vector<Corner>& p, Soup& soup)
-  {
-    if(p.size() == 3) return add(p[0], p[1], p[2], soup);
-    if(p.size() == 4) {
-      const Vec normal = internal::cross(p[2].point - p[0].point, p[3].point - p[1].point);
-      const auto least_area = [&](int i) { // of the two triangles at the diagonal from corner i
-        return (std::min)(area_vector(p[i], p[i + 1], p[(i + 2) % 4]) * normal,
-                          area_vector(p[i], p[(i + 2) % 4], p[(i + 3) % 4]) * normal);
-      };
-      const int i = least_area(0) >= least_area(1) ? 0 : 1;
-      add(p[i], p[i + 1], p[(i + 2) % 4], soup);
-      add(p[i], p[(i + 2) % 4], p[(i + 3) % 4], soup);
-      return;
-    }
-    Corner mean = { Vec(0, 0, 0), 0. };
-    for(const Corner& c : p) {
-      mean.point = mean.point + c.point / double(p.size());
-      mean.value += c.value / double(p.size());
-    }
-    for(std::size_t i = 0; i < p.size(); ++i) add(mean, p[i], p[(i + 1) % p.size()], soup);
   }
 
   std::shared_ptr<const internal::Values_on_triangles> values_;
