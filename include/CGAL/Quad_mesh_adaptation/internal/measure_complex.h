@@ -16,13 +16,13 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// Closed ways along the border.
-inline std::size_t number_of_border_loops(const Quad_complex& m)
+// Closed ways along the border, of which all vertices are given.
+inline std::size_t number_of_border_loops(const Quad_complex& m, const std::vector<Index>& border)
 {
   std::size_t n = 0;
   std::vector<char> seen(m.vertex_end(), 0);
-  for(Index v = 0; v < m.vertex_end(); ++v) {
-    if(seen[v] || !m.is_vertex(v) || !m.is_border_vertex(v)) continue;
+  for(Index v : border) {
+    if(seen[v]) continue;
     ++n;
     for(Index u = v; !seen[u]; u = m.target(m.vertex(u).halfedge)) seen[u] = 1;
   }
@@ -33,12 +33,14 @@ inline std::size_t number_of_border_loops(const Quad_complex& m)
 inline void measure_topology(const Quad_complex& c, Mesh_measures& m)
 {
   std::vector<std::size_t> inside; // vertices by valence
+  std::vector<Index> border;
   for(Index v : c.vertices()) {
     ++m.vertices;
     const std::size_t valence = std::size_t(c.valence(v));
     m.max_valence = (std::max)(m.max_valence, valence);
     if(c.is_border_vertex(v)) {
       ++m.boundary_edges; // the one that starts here
+      border.push_back(v);
       continue;
     }
     ++m.interior_vertices;
@@ -52,7 +54,7 @@ inline void measure_topology(const Quad_complex& c, Mesh_measures& m)
   m.edges = (4 * m.faces + m.boundary_edges) / 2;
   m.euler_characteristic = long(m.vertices) - long(m.edges) + long(m.faces);
   m.components = Face_parts(c, [](Index) { return true; }).size();
-  m.boundary_loops = number_of_border_loops(c);
+  m.boundary_loops = number_of_border_loops(c, border);
 }
 
 } // namespace internal
