@@ -167,13 +167,24 @@ private:
     return faces;
   }
 
+  // Nodes to operate at about face f; only its own in a fan of very many faces, since nearly all
+  // such trials find no operation.
+  std::vector<Index> nodes_to_try(Index f, int rings) const
+  {
+    constexpr std::size_t very_many = 100;
+    std::vector<Index> nodes;
+    const std::vector<char> near = nodes_around(s_.mesh, { f }, rings);
+    for(Index v = 0; v < Index(near.size()); ++v)
+      if(near[v]) nodes.push_back(v);
+    if(nodes.size() <= very_many) return nodes;
+    const Quad q = s_.mesh.quad(f);
+    return { q.begin(), q.end() };
+  }
+
   // Each kind of operation about each node near face f, until one helps.
   bool is_mended(Index f, const Detour_search& search)
   {
-    std::vector<Index> nodes;
-    const std::vector<char> near = nodes_around(s_.mesh, { f }, search.rings);
-    for(Index v = 0; v < Index(near.size()); ++v)
-      if(near[v]) nodes.push_back(v);
+    const std::vector<Index> nodes = nodes_to_try(f, search.rings);
     for(const Improvement_options& first : search.first)
       for(Index v : nodes) {
         if(trials_left_ == 0) return false;
