@@ -53,9 +53,10 @@ inline void make_finer(Adaptation_state& s)
 class Detours
 {
 public:
-  // Before the first run; `run` goes from any mesh to one for the sizes.
-  Detours(Adaptation_state& s, std::function<void()> run)
-      : s_(s), run_(std::move(run)), given_(s), asked_(s)
+  // Before the first run; run(is_given) goes from any mesh to one for the sizes, from the given one
+  // in less time.  `finer`: what it makes of the given one for half the sizes, if that is known.
+  Detours(Adaptation_state& s, std::function<void(bool)> run, const Mesh_keeper* finer = nullptr)
+      : s_(s), run_(std::move(run)), given_(s), finer_(finer), asked_(s)
   {
   }
 
@@ -88,7 +89,7 @@ public:
         start_finer();
       else if(!is_anything_frozen(s_))
         make_finer(s_);
-      run_();
+      run_(false);
       s_.order = 0;
       // a coarser start leaves nodes beside the bends of curves; they do not always find back
       if(demerits(s_) >= least_ || !have_kept_length(s_, kept_) || misses_sizes()) best_->restore();
@@ -103,8 +104,8 @@ private:
   {
     s_.scale_sizes(2);
     std::optional<Detours> detours;
-    if(with_detours) detours.emplace(s_, run_);
-    run_();
+    if(with_detours) detours.emplace(s_, run_, &*best_);
+    run_(true);
     if(detours && s_.mesh.number_of_faces() <= few) (*detours)(false);
     s_.scale_sizes(0.5);
   }
@@ -113,7 +114,10 @@ private:
   void start_finer()
   {
     s_.scale_sizes(0.5);
-    run_();
+    if(finer_ && s_.order == 0)
+      Mesh_keeper(*finer_).restore();
+    else
+      run_(true);
     s_.scale_sizes(2);
   }
 
@@ -128,8 +132,8 @@ private:
   static constexpr double clearly = 0.98;
 
   Adaptation_state& s_;
-  std::function<void()> run_;
-  const Mesh_keeper given_;
+  std::function<void(bool)> run_;
+  const Mesh_keeper given_, *finer_;
   const Demand asked_;
   std::optional<Mesh_keeper> best_;
   double least_ = 0;
