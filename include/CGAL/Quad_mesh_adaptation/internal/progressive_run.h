@@ -153,12 +153,13 @@ inline bool is_worth_halving(const Adaptation_state& s)
 }
 
 // Shapes are mended as long as that does not cost so many faces that halving does not pay.
-inline void enforce_before_halving(Adaptation_state& s, const Improvement_options& clean)
+inline void enforce_before_halving(Adaptation_state& s, const Improvement_options& clean,
+                                   const Schedule_ingredients& use)
 {
   enforce_sizes(s, clean, 16);
   if(!is_worth_halving(s)) return;
   Mesh_keeper unmended(s);
-  Last_resorts_in_vain in_vain;
+  Last_resorts_in_vain in_vain{ use.detours };
   enforce_sizes_and_shapes(s, clean, in_vain);
   if(!is_worth_halving(s)) unmended.restore();
 }
@@ -185,7 +186,7 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
   for(; octaves > 0; --octaves) {
     Mesh_keeper input(s);
     approach_sizes_from_input(s, clean, max_passes - std::size_t(octaves), use, known);
-    if(use.last_resorts) enforce_before_halving(s, clean);
+    if(use.last_resorts) enforce_before_halving(s, clean, use);
     const bool is_full =
         is_worth_halving(s) && (s.mesh.number_of_faces() > given_faces || is_made_to_cover(s));
     if(is_full && (!use.trial_halving || is_made_to_halve_well(s))) return octaves;
@@ -267,7 +268,7 @@ inline int run_progressively(Adaptation_state& s, const Improvement_options& cle
   s.surface.forget_tree(); // coarse faces ask it, fine ones hardly ever
   if(Curve_bends(s).fit() > 0 && use.local_operations) polish_about_bends(s, clean);
   if(use.last_resorts) {
-    Last_resorts_in_vain in_vain;
+    Last_resorts_in_vain in_vain{ use.detours };
     enforce_sizes_and_shapes(s, clean, in_vain);
     fit_bends_left(s, clean, in_vain);
     if(use.coarsening && s.region.empty()) spare_rows_left(s, clean, in_vain);
