@@ -75,6 +75,13 @@ public:
     s_.qualities = Face_values<float>();
   }
 
+  // The moves alone.
+  void move_in_the_end()
+  {
+    place_for_angles();
+    s_.qualities = Face_values<float>();
+  }
+
 private:
   using Searches = std::vector<const Detour_search*>;
 
@@ -244,7 +251,8 @@ private:
 // What the last resorts have tried in vain in one mesh.
 struct Last_resorts_in_vain
 {
-  Places_in_vain mending, detours;
+  bool has_detours = true; // else none is tried
+  Places_in_vain mending = {}, detours = {};
 };
 
 // The last resorts in turn: sizes first, then shapes, again where one has undone the other, and the
@@ -258,8 +266,7 @@ inline void enforce_sizes_and_shapes(Adaptation_state& s, const Improvement_opti
     if(faces_to_press(s).empty() || are_sizes_out_of_reach(s)) break;
     enforce_sizes(s, o, 12);
   }
-  Local_detours local(s, o);
-  local(in_vain.detours);
+  if(in_vain.has_detours) Local_detours(s, o)(in_vain.detours);
   s.qualities = Face_values<float>(); // their memory is needed
 }
 
