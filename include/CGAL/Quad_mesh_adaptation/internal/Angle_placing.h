@@ -47,7 +47,9 @@ private:
 
   void place_within(Index f, int rings)
   {
+    constexpr std::size_t very_many = 100; // in a huge fan, where this does not help
     collect(f, rings);
+    if(nodes_.size() > very_many) return;
     std::vector<Vertex_record> before;
     for(Index v : nodes_) before.push_back(s_.mesh.vertex(v));
     const std::size_t poor = number_poor();

@@ -23,6 +23,15 @@ inline std::vector<Index> huge_nodes(const Quad_complex& m)
   return list;
 }
 
+// Has a node so many that whatever is tried about it takes all the time there is?
+inline bool has_boundless_fan(const Quad_complex& m)
+{
+  constexpr int boundless = 100;
+  for(Index v : m.vertices())
+    if(m.vertex(v).faces > boundless) return true;
+  return false;
+}
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

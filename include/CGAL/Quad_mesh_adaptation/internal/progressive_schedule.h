@@ -153,11 +153,12 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   const double fine = s.smoothing.wake;
   if(part) s.smoothing.wake = (std::max)(fine, 0.02);
   if(use_here.coarsening) thin_fans_near(s, work);
+  if(has_boundless_fan(s.mesh)) use_here.detours = false; // features hold it as it is
   if(use.last_resorts) {
     run_several_ways(s, clean, max_iterations, use_here);
     Curve_bends(s).hold_all();
     Local_detours last(s, clean);
-    if(use.detours)
+    if(use_here.detours)
       last.in_the_end();
     else
       last.move_in_the_end();

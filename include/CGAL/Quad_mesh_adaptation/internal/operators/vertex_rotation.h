@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_VERTEX_ROTATION_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Cavity.h>
+#include <CGAL/Quad_mesh_adaptation/internal/huge_nodes.h>
 
 #include <vector>
 
@@ -13,11 +14,13 @@ namespace Quad_mesh_adaptation {
 namespace internal {
 
 // Vertex rotation: the edges of inner node v to its neighbours are replaced by edges to the
-// corners opposite it.  Neighbours lose an edge, the opposite corners gain one.
+// corners opposite it.  Neighbours lose an edge, the opposite corners gain one.  At a huge node it
+// would do no good and cost much.
 inline bool is_vertex_rotation_allowed(const Adaptation_state& s, Index v)
 {
   const Quad_complex& m = s.mesh;
   if(m.is_border_vertex(v) || m.vertex(v).carrier != Carrier::surface) return false;
+  if(is_huge(m, v)) return false;
   for(Index h : m.outgoing(v))
     if(m.curve(h) >= 0) return false;
   return true;
