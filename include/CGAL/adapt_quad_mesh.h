@@ -22,13 +22,13 @@ Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const Sizi
                               QuadMesh& mesh, const NamedParameters& np)
 {
   const std::size_t iterations = decode_iterations(np);
-  const bool paper = is_paper_schedule(np);
+  const bool paper = is_paper_schedule(np), is_quick = is_quick_effort(np);
   return run_on_mesh(faces, is_region, sizing, mesh, np, Call_kind{ paper, !paper, !paper },
                      [&](Adaptation_state& s) {
                        if(paper)
                          run_paper_schedule(s, iterations);
                        else
-                         run_default_schedule(s, iterations);
+                         run_default_schedule(s, iterations, is_quick);
                      });
 }
 
@@ -62,7 +62,7 @@ Roundtable, 2009), section 3.3, runs step by step.
     are tried; default `default_number_of_iterations`.  The paper's schedule ends after 25;
   - `visitor(v)`, see `Adaptation_visitor`; `callback(f)`: `bool f(double)` is told the progress
     from 0 to 1 and cancels by returning `false`;
-  - `schedule()`, `aim()`, `symmetry()`, `feature_angle()`, `edge_is_frozen_map()`,
+  - `schedule()`, `aim()`, `effort()`, `symmetry()`, `feature_angle()`, `edge_is_frozen_map()`,
     `reference_surface()`, `smooth_reference()`, `projector()`, `curve_projector()`,
     `max_distance()`, `concurrency()`: see parameters.h.
 

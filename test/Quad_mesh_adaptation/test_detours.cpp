@@ -304,3 +304,24 @@ TEST(Detours, LargerMeshesStartFromACoarseOneThatIsBetter)
   }
   EXPECT_GT(efficiency, 0.88); // 0.865 from the first way alone
 }
+
+// Those who are in a hurry get the same guarantees with less work.
+TEST(Detours, QuickEffortTakesNone)
+{
+  std::size_t quick = 0, full = 0;
+  for(const Shape& s :
+      { shape_zoo::irregular(), shape_zoo::valences(), more_shapes::closed_cylinder(4) })
+    for(double factor : { 0.83, 1.3, 1.8 }) {
+      SCOPED_TRACE(s.name + ", " + std::to_string(factor));
+      const double size = factor * zoo_mesh::mean_edge(s);
+      Mesh one_way = zoo_mesh::make<Mesh, Point>(s), all_ways = one_way;
+      const auto np = QMA::effort(QMA::Effort::quick);
+      const auto report = QMA::adapt_quad_mesh(size, one_way, np);
+      EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_met);
+      EXPECT_TRUE(report.faces_too_large.empty());
+      QMA::adapt_quad_mesh(size, all_ways);
+      quick += one_way.number_of_faces();
+      full += all_ways.number_of_faces();
+    }
+  EXPECT_GT(quick, full);
+}

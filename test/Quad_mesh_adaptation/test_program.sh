@@ -159,6 +159,9 @@ cmp border_before border_after || fail "--keep-border did not keep the border"
 expect 0 '' twelve.off near.off --size 1.06 --aim nearest --quiet
 expect 0 '' twelve.off below.off --size 1.06 --no-symmetry --quiet
 [ "$(faces near.off)" -lt "$(faces below.off)" ] || fail "--aim nearest made no fewer faces"
+expect 0 '' twelve.off quick.off --size 2.3 --quick --quiet
+expect 0 '' twelve.off full.off --size 2.3 --quiet
+[ "$(faces full.off)" -le "$(faces quick.off)" ] || fail "--quick made fewer faces"
 # patches, marked edges and fixed vertices are kept, and read again
 grid_ply() { # grid N: with two halves as patches, the middle of one marked, one vertex fixed
   awk -v n="$1" 'BEGIN {

@@ -27,7 +27,7 @@ struct Options
   std::string schedule = "default", aim = "not-larger";
   std::optional<std::string> region; // expression that is not zero where faces may change
   bool ignores_sets = false;         // patches, marked edges and fixed vertices of the input
-  bool is_border_frozen = false, may_lose_symmetry = false;
+  bool is_border_frozen = false, may_lose_symmetry = false, is_quick = false;
   double feature_angle = CGAL::Quad_mesh_adaptation::default_feature_angle;
   bool is_smooth = false;
   std::optional<double> max_distance;

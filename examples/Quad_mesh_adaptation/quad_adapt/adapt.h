@@ -80,7 +80,8 @@ inline QMA::Adaptation_report adapt(const Options& options, const Size_function&
   const auto parameters =
       QMA::schedule(is_paper ? QMA::Schedule::paper : QMA::Schedule::progressive,
                     QMA::aim(is_nearest ? QMA::Aim::nearest : QMA::Aim::not_larger,
-                             QMA::symmetry(!options.may_lose_symmetry, geometry)));
+                             QMA::effort(options.is_quick ? QMA::Effort::quick : QMA::Effort::full,
+                                         QMA::symmetry(!options.may_lose_symmetry, geometry))));
   if(options.reference.empty()) return adapt(region, size, mesh, parameters);
   return adapt(region, size, mesh, QMA::reference_surface(reference, parameters));
 }

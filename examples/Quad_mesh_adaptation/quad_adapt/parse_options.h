@@ -225,6 +225,9 @@ inline void describe_course(CLI::App& app, Options& options)
       ->type_name("not-larger|nearest")
       ->check(CLI::IsMember({ "not-larger", "nearest" }))
       ->capture_default_str();
+  app.add_flag("--quick", options.is_quick,
+               "Do not try other ways for a better mesh, which takes most of the time for up to\n"
+               "some 20000 faces");
   app.add_flag("--no-symmetry", options.may_lose_symmetry, "Do not keep mirror symmetry");
   app.add_option("--max-iterations", options.max_iterations, "Passes of refinement at most")
       ->type_name("N")

@@ -29,6 +29,13 @@ enum class Aim
   nearest     ///< faces as near as possible to their size, for those who want the count right
 };
 
+/// How much time to spend on a better mesh.
+enum class Effort
+{
+  full, ///< the default: where a small or medium mesh does not come out well, other ways are tried
+  quick ///< one way only
+};
+
 // The package's own named parameters.  CGAL's chain members are generated inside CGAL, so each
 // of these is a free function that starts a chain, or takes the rest of the chain as second
 // argument: `schedule(Schedule::paper).number_of_iterations(9)`, `feature_angle(40, np)`.
@@ -44,6 +51,10 @@ enum feature_angle_t
 enum aim_t
 {
   aim_tag
+};
+enum effort_t
+{
+  effort_tag
 };
 enum reference_surface_t
 {
@@ -99,6 +110,19 @@ template <typename NP>
 Named_function_parameters<Aim, aim_t, NP> aim(Aim a, const NP& np)
 {
   return Named_function_parameters<Aim, aim_t, NP>(a, np);
+}
+
+/// How much time the default schedule spends; default `Effort::full`.  With `Effort::quick` it does
+/// not look for other ways, neither for the whole mesh nor about single faces that are poor or far
+/// too small; what is guaranteed is the same.
+inline Named_function_parameters<Effort, effort_t> effort(Effort e)
+{
+  return Named_function_parameters<Effort, effort_t>(e);
+}
+template <typename NP>
+Named_function_parameters<Effort, effort_t, NP> effort(Effort e, const NP& np)
+{
+  return Named_function_parameters<Effort, effort_t, NP>(e, np);
 }
 
 /// Passes of refinement at most, in each way that is tried, unless `number_of_iterations()` says

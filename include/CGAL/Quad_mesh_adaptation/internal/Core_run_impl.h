@@ -186,7 +186,7 @@ inline bool is_rehearsed(double expected_faces, std::size_t given_faces)
 }
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, bool keeps_symmetry,
-                                                          std::size_t iterations)
+                                                          std::size_t iterations, bool is_quick)
 {
   Adaptation_state& s = run.s;
   const double slope = mean_square_slope(s, run.in);
@@ -197,7 +197,7 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, boo
   if(!is_rehearsed(expected, run.in.quads.size())) return expected;
   adapt_within_bound(
       run, run.mirror_goal(keeps_symmetry, ideal, true),
-      [iterations](Adaptation_state& part) { run_default_schedule(part, iterations); });
+      [=](Adaptation_state& part) { run_default_schedule(part, iterations, is_quick); });
   return double(s.mesh.number_of_faces());
 }
 

@@ -40,10 +40,10 @@ public:
   Outcome operator()(Index f, const First& first, double least_gain)
   {
     begin();
-    const std::vector<char> near = nodes_around(s_.mesh, { f }, 3);
+    look_about(f);
     if(!first()) return Outcome::no_operation;
-    improve_about(near);
-    if(moves_for_angles_) place_about(near);
+    improve_about(near_);
+    if(moves_for_angles_) place_about(near_);
     const bool is_better = faces_too_large(s_).size() <= start_->too_large &&
                            worst_quality(s_) >= start_->least_quality - hair &&
                            least_scaled_jacobian(s_) >= start_->least_jacobian - hair &&
@@ -80,6 +80,7 @@ public:
   {
     start_.reset();
     mesh_.reset();
+    near_face_ = -1;
   }
 
 private:
@@ -106,6 +107,14 @@ private:
                       s_.restless,
                       s_.sizes };
     if(!mesh_) mesh_.emplace(s_);
+  }
+
+  // Found once for all trials about one face.
+  void look_about(Index f)
+  {
+    if(f == near_face_) return;
+    near_ = nodes_around(s_.mesh, { f }, 3);
+    near_face_ = f;
   }
 
   // Faces too many at inner nodes of the whole, on creases as well.
@@ -202,6 +211,9 @@ private:
   bool counts_all_crowds_ = false, moves_for_angles_ = false, spares_shapes_ = false;
   std::optional<Start> start_;
   std::optional<Mesh_keeper> mesh_;
+  Index near_face_ = -1;
+  std::vector<char>
+      near_; // nodes within three rings of that face, while the mesh is that of start_
 };
 
 } // namespace internal

@@ -80,21 +80,30 @@ public:
     return normalized(points_[i + 1] - points_[i]);
   }
 
-  // Arc length of the point of the curve nearest to p.
+  // Arc length of the point of the curve nearest to p; for many questions there is Curve_lookup.
   double nearest(const Vec& p) const
   {
     double best = -1, where = 0;
     for(std::size_t i = 0; i + 1 < points_.size(); ++i) {
-      const Vec e = points_[i + 1] - points_[i];
-      const double l2 = e * e;
-      const double w = l2 > 0 ? (std::min)((std::max)((p - points_[i]) * e / l2, 0.), 1.) : 0.;
-      const Vec d = p - (points_[i] + w * e);
-      if(best < 0 || d * d < best) {
-        best = d * d;
-        where = arc_[i] + w * (arc_[i + 1] - arc_[i]);
+      double arc = 0;
+      const double d2 = squared_distance_to_segment(i, p, arc);
+      if(best < 0 || d2 < best) {
+        best = d2;
+        where = arc;
       }
     }
     return where;
+  }
+
+  // Of p from the segment between points i and i + 1; `arc`: that of the nearest point there.
+  double squared_distance_to_segment(std::size_t i, const Vec& p, double& arc) const
+  {
+    const Vec e = points_[i + 1] - points_[i];
+    const double l2 = e * e;
+    const double w = l2 > 0 ? (std::min)((std::max)((p - points_[i]) * e / l2, 0.), 1.) : 0.;
+    const Vec d = p - (points_[i] + w * e);
+    arc = arc_[i] + w * (arc_[i + 1] - arc_[i]);
+    return d * d;
   }
 
 private:

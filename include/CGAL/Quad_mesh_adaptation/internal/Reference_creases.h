@@ -4,7 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_CREASES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_CREASES_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/Feature_curve.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_lookup.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 
 #include <algorithm>
@@ -27,17 +27,29 @@ public:
   // A crease turns by an angle of cosine below `cos_angle`; there are none where `off`.
   Reference_creases(const Triangle_soup& soup, double cos_angle, bool off) : soup_(soup)
   {
-    std::map<std::pair<Index, Index>, std::vector<Vec>> normals; // beside each edge
+    std::vector<std::array<Index, 3>> edges; // and the triangle beside
+    std::vector<Vec> normals;
+    edges.reserve(3 * soup.triangles.size());
+    normals.reserve(soup.triangles.size());
     for(const auto& t : soup.triangles) {
-      const Vec &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
-      const Vec n = normalized(cross(b - a, c - a));
-      for(int i = 0; i < 3; ++i) normals[std::minmax(t[i], t[(i + 1) % 3])].push_back(n);
+      for(int i = 0; i < 3; ++i) {
+        const auto [u, v] = std::minmax(t[i], t[(i + 1) % 3]);
+        edges.push_back({ u, v, Index(normals.size()) });
+      }
+      const Vec& a = soup.points[t[0]];
+      normals.push_back(normalized(cross(soup.points[t[1]] - a, soup.points[t[2]] - a)));
     }
-    for(const auto& [edge, n] : normals) {
-      if(n.size() == 2 && (off || n[0] * n[1] >= cos_angle)) continue;
-      next_[edge.first].push_back(edge.second);
-      next_[edge.second].push_back(edge.first);
+    std::sort(edges.begin(), edges.end());
+    for(auto first = edges.begin(), last = first; first != edges.end(); first = last) {
+      const auto [u, v, t] = *first;
+      while(last != edges.end() && (*last)[0] == u && (*last)[1] == v) ++last;
+      const bool is_inner = last - first == 2;
+      if(is_inner && (off || normals[t] * normals[(*(last - 1))[2]] >= cos_angle)) continue;
+      next_[u].push_back(v);
+      next_[v].push_back(u);
     }
+    for(const auto& [v, ends] : next_) by_x_.push_back({ soup.points[v].x(), v });
+    std::sort(by_x_.begin(), by_x_.end());
   }
 
   // The vertex nearest to p, not farther than `reach`; one where curves end or meet, if there is
@@ -46,10 +58,13 @@ public:
   {
     Index best[2] = { -1, -1 };
     double least[2] = { reach, reach };
-    for(const auto& [v, ends] : next_) {
+    const auto first =
+        std::lower_bound(by_x_.begin(), by_x_.end(), std::make_pair(p.x() - reach, Index(-1)));
+    for(auto it = first; it != by_x_.end() && it->first <= p.x() + reach; ++it) {
+      const Index v = it->second;
       const double d = distance(p, soup_.points[v]);
-      for(int k = ends.size() != 2 ? 0 : 1; k < 2; ++k)
-        if(d <= least[k]) {
+      for(int k = next_.at(v).size() != 2 ? 0 : 1; k < 2; ++k)
+        if(d < least[k] || (d == least[k] && !(best[k] > v))) {
           least[k] = d;
           best[k] = v;
         }
@@ -60,6 +75,7 @@ public:
   // The shortest way along the graph that stays within `reach` of curve c; empty: none.
   std::vector<Index> path(const Feature_curve& c, Index from, Index to, double reach) const
   {
+    const Curve_lookup lookup(c);
     std::map<Index, std::pair<double, Index>> found; // cost, vertex before
     std::priority_queue<std::pair<double, Index>> queue;
     found[from] = { 0., -1 };
@@ -71,7 +87,7 @@ public:
       if(-negative > found[v].first) continue;
       for(Index u : next_.at(v)) {
         const Vec middle = 0.5 * (soup_.points[u] + soup_.points[v]);
-        const double off = distance(middle, c.point(c.nearest(middle))) / reach;
+        const double off = lookup.distance_to(middle) / reach;
         if(off > 1) continue;
         const double cost =
             -negative + distance(soup_.points[u], soup_.points[v]) * (1 + 100 * off * off);
@@ -94,11 +110,12 @@ public:
   {
     const Index start = vertex_near(c.points().front(), reach);
     if(start < 0) return {};
+    const Curve_lookup lookup(c);
     std::vector<Index> way = { start };
     for(Index before = -1, v = start; way.size() == 1 || v != start;) {
       const std::vector<Index>& ends = next_.at(v);
       const Vec& p = soup_.points[v];
-      if(ends.size() != 2 || distance(p, c.point(c.nearest(p))) > reach) return {};
+      if(ends.size() != 2 || lookup.distance_to(p) > reach) return {};
       const Index u = ends[0] == before ? ends[1] : ends[0];
       before = v;
       v = u;
@@ -123,6 +140,7 @@ public:
 private:
   const Triangle_soup& soup_;
   std::map<Index, std::vector<Index>> next_;
+  std::vector<std::pair<double, Index>> by_x_; // its vertices
 };
 
 } // namespace internal

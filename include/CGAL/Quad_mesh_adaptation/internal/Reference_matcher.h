@@ -43,18 +43,20 @@ public:
     const std::vector<Feature_curve> loops = border_loops(soup_);
     for(Feature_curve& c : s_.curves)
       if(!c.is_border() && !c.is_frozen()) follow_crease(c);
+    const std::vector<Curve_lookup> lookups(loops.begin(), loops.end());
     if(!loops.empty())
       for(Feature_curve& c : s_.curves)
-        if(c.is_border() && !c.is_frozen()) c = curve_on_reference(with_new_ends(c), loops);
+        if(c.is_border() && !c.is_frozen()) c = curve_on_reference(with_new_ends(c), lookups);
     for(const Feature_curve& c : s_.curves) {
       if(c.is_closed() || !c.is_border() || c.is_frozen() || loops.empty()) continue;
       move_corner(c.first_corner, c.points().front());
       move_corner(c.last_corner, c.points().back());
     }
     for(const auto& [v, u] : corner_) move_corner(v, soup_.points[u]);
+    const std::vector<Curve_lookup> curves(s_.curves.begin(), s_.curves.end());
     for(Index v : s_.mesh.vertices()) {
       Vertex_record& r = s_.mesh.vertex(v);
-      if(r.carrier == Carrier::curve) r.param = s_.curves[r.curve].nearest(r.p);
+      if(r.carrier == Carrier::curve) r.param = curves[r.curve].nearest(r.p);
     }
     add_border();
   }

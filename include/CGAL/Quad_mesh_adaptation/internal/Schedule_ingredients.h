@@ -22,6 +22,7 @@ struct Schedule_ingredients
   bool clean_up_between = true;  // the first of these
   bool annealing = true;
   bool last_resorts = true; // enforcement of sizes, mending of shapes
+  bool detours = true;      // other ways for the whole, and about single faces
 
   double tolerance = 2.5;                      // of the first round of annealing
   int annealing_rounds = 10;                   // see anneal()

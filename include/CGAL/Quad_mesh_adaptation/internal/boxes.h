@@ -37,7 +37,11 @@ struct Box
         Vec((std::max)(high.x(), p.x()), (std::max)(high.y(), p.y()), (std::max)(high.z(), p.z()));
   }
 
+  bool is_empty() const { return !(low.x() <= high.x()); }
   Vec extent() const { return high - low; }
+  double squared_distance(const Vec& p) const { return squared_distance(p, p); }
+  // From another one; infinite if one of both is empty.
+  double squared_distance(const Box& o) const { return squared_distance(o.low, o.high); }
   double longest_side() const
   {
     const Vec size = extent();
@@ -48,6 +52,17 @@ struct Box
     const Vec size = extent();
     if(size.x() >= size.y() && size.x() >= size.z()) return 0;
     return size.y() >= size.z() ? 1 : 2;
+  }
+
+private:
+  double squared_distance(const Vec& other_low, const Vec& other_high) const
+  {
+    double d2 = 0;
+    for(int i = 0; i < 3; ++i) {
+      const double off = (std::max)({ low[i] - other_high[i], other_low[i] - high[i], 0. });
+      d2 += off * off;
+    }
+    return d2;
   }
 };
 

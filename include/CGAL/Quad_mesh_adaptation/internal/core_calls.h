@@ -40,8 +40,8 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double expected_faces(const Adaptation_state
                                                           double ideal_number_of_faces,
                                                           double mean_square_slope, double scale);
 
-CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_default_schedule(Adaptation_state& s,
-                                                              std::size_t max_iterations);
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void
+run_default_schedule(Adaptation_state& s, std::size_t max_iterations, bool is_quick);
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void keep_within_distance(Adaptation_state& s);
 

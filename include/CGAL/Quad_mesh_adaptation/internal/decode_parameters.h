@@ -238,6 +238,13 @@ bool is_paper_schedule(const NamedParameters& np)
 }
 
 template <typename NamedParameters>
+bool is_quick_effort(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, effort_tag), Effort::full) ==
+         Effort::quick;
+}
+
+template <typename NamedParameters>
 bool decode_symmetry(const NamedParameters& np)
 {
   return parameters::choose_parameter(parameters::get_parameter(np, symmetry_tag), true);

@@ -30,12 +30,11 @@ inline double demerits(Adaptation_state& s)
   return energy_and_faults(s) + price * (double(faces_too_large(s).size()) + small);
 }
 
-// Has the mesh more faces and irregular nodes than most do?  Those within their sizes and without
-// irregular nodes come to 1.1 to 1.2 of the faces that the sizes ask for.
-inline bool is_worth_another(Adaptation_state& s)
+// The same for each face that the sizes ask for.  Meshes within their sizes and without irregular
+// nodes come to 1.1 to 1.2, most others to less than 1.25.
+inline double relative_demerits(Adaptation_state& s)
 {
-  constexpr double usual = 1.25;
-  return demerits(s) > usual * efficiency(s) * double(s.mesh.number_of_faces());
+  return demerits(s) / (efficiency(s) * double(s.mesh.number_of_faces()));
 }
 
 // Halves all faces, until most are clearly smaller than asked.
@@ -53,9 +52,11 @@ inline void make_finer(Adaptation_state& s)
 class Detours
 {
 public:
-  // Before the first run; `run` goes from any mesh to one for the sizes.
-  Detours(Adaptation_state& s, std::function<void()> run)
-      : s_(s), run_(std::move(run)), given_(s), asked_(s)
+  // Before the first run; run(is_given) goes from any mesh to one for the sizes, from the given one
+  // in less time.  `finer`: what it makes of the given one for half the sizes, if that is known.
+  Detours(Adaptation_state& s, std::function<void(bool)> run, const Mesh_keeper* finer = nullptr)
+      : s_(s), run_(std::move(run)), given_(s), finer_(finer), asked_(s),
+        is_fine_(fraction_below(s, 0.75) > 0.5), is_frozen_(is_anything_frozen(s))
   {
   }
 
@@ -64,47 +65,84 @@ public:
   // with walks in another order; of 25 ways that were tried out on 900 meshes, no others differ as
   // much.  For a mesh of more faces the first of them only, with detours of its own for the mesh to
   // start from: where that was not worth halving the first time, it mostly is then.  Where it was,
-  // or sizes grow too steeply for it, little is to be gained.  A mesh of several faces from one
-  // that was too fine is not halved still further first: it is coarsened in two steps.
+  // or sizes grow too steeply for it, little is to be gained.
   void operator()(bool was_halved)
   {
     constexpr Index enough_faces = 800, many = 40000;
     constexpr int least = 2, most = 6;
+    constexpr double usual = 1.25;
     const Index faces = s_.mesh.number_of_faces();
     if(are_sizes_out_of_reach(s_)) return; // by any way
     const bool has_few = faces <= few;
     if(faces > many || (!has_few && (was_halved || !asked_.is_gentle_doubled()))) return;
     const int ways = has_few ? std::clamp(int(enough_faces / faces), least, most) : 1;
-    for(int way = 0; way < ways && is_worth_another(s_); ++way) {
-      least_ = clearly * demerits(s_);
-      kept_ = curves_that_kept_length(s_);
-      best_.emplace(s_);
-      Mesh_keeper(given_).restore();
-      const int round = way / 2;
-      s_.order = round;
-      if(way % 2 == 0)
-        start_coarser(!has_few);
-      else if(faces > several && fraction_below(s_, 0.75) > 0.5)
-        start_finer();
-      else if(!is_anything_frozen(s_))
-        make_finer(s_);
-      run_();
-      s_.order = 0;
-      // a coarser start leaves nodes beside the bends of curves; they do not always find back
-      if(demerits(s_) >= least_ || !have_kept_length(s_, kept_) || misses_sizes()) best_->restore();
+    for(int way = 0; way < ways; ++way) {
+      const double wrong = relative_demerits(s_);
+      if(!(wrong > usual)) return;
+      const Start start = start_of_way(way, faces);
+      if(is_promising(start, way, wrong)) try_way(start, way / 2, !has_few);
     }
   }
 
 private:
   static constexpr Index few = 2000, several = 150;
 
-  // From a mesh for twice the sizes: it has too few faces, and none where they do no good.
+  enum class Start
+  {
+    coarser, // than asked
+    finer,   // made from the given mesh
+    halved,  // the given mesh, until it is finer
+    given
+  };
+
+  // A mesh of several faces from one that was too fine is not halved still further first: it is
+  // coarsened in two steps.
+  Start start_of_way(int way, Index faces) const
+  {
+    if(way % 2 == 0) return Start::coarser;
+    if(faces > several && is_fine_) return Start::finer;
+    return is_frozen_ ? Start::given : Start::halved;
+  }
+
+  // Coarsening in two steps takes most of the time, and of 24 such ways none was better where less
+  // was wrong.  From the given mesh the first run has gone.
+  bool is_promising(Start start, int way, double wrong) const
+  {
+    constexpr double far_off = 4;
+    if(start == Start::finer)
+      return wrong > far_off || given_.number_of_faces() <= s_.mesh.number_of_faces();
+    return start != Start::given || way > 1;
+  }
+
+  // The better of both stays.
+  void try_way(Start start, int order, bool with_detours)
+  {
+    const double least = clearly * demerits(s_);
+    const std::vector<char> kept = curves_that_kept_length(s_); // by the best
+    best_.emplace(s_);
+    Mesh_keeper(given_).restore();
+    s_.order = order;
+    if(start == Start::coarser) start_coarser(with_detours);
+    if(start == Start::finer) start_finer();
+    if(start == Start::halved) make_finer(s_);
+    run_(false);
+    s_.order = 0;
+    // a coarser start leaves nodes beside the bends of curves; they do not always find back
+    if(demerits(s_) >= least || !have_kept_length(s_, kept) || misses_sizes()) best_->restore();
+  }
+
+  // From a mesh for twice the sizes: it has too few faces, and none where they do no good.  The
+  // best so far is nearer to that than a fine input; others than the first begin from the input
+  // nevertheless, to differ more.
   void start_coarser(bool with_detours)
   {
+    const bool from_best =
+        !with_detours && s_.order == 0 && best_->number_of_faces() < given_.number_of_faces();
+    if(from_best) Mesh_keeper(*best_).restore();
     s_.scale_sizes(2);
     std::optional<Detours> detours;
-    if(with_detours) detours.emplace(s_, run_);
-    run_();
+    if(with_detours) detours.emplace(s_, run_, &*best_);
+    run_(!from_best);
     if(detours && s_.mesh.number_of_faces() <= few) (*detours)(false);
     s_.scale_sizes(0.5);
   }
@@ -113,7 +151,10 @@ private:
   void start_finer()
   {
     s_.scale_sizes(0.5);
-    run_();
+    if(finer_ && s_.order == 0)
+      Mesh_keeper(*finer_).restore();
+    else
+      run_(true);
     s_.scale_sizes(2);
   }
 
@@ -128,12 +169,11 @@ private:
   static constexpr double clearly = 0.98;
 
   Adaptation_state& s_;
-  std::function<void()> run_;
-  const Mesh_keeper given_;
+  std::function<void(bool)> run_;
+  const Mesh_keeper given_, *finer_;
   const Demand asked_;
+  const bool is_fine_, is_frozen_; // the given mesh
   std::optional<Mesh_keeper> best_;
-  double least_ = 0;
-  std::vector<char> kept_; // curves, by the best
 };
 
 } // namespace internal

@@ -24,6 +24,7 @@ inline double bound_from_segment(const Vec& a, double at_a, const Vec& b, double
 {
   const double length = distance(a, b);
   if(!(length > 0)) return (std::min)(at_a, at_b) + slope * distance(a, p);
+  if(std::isinf(at_b)) return at_a + slope * distance(a, p); // there is no value there yet
   const Vec along = (b - a) / length;
   const double foot = (p - a) * along, height = norm(p - a - foot * along);
   const double growth = (at_b - at_a) / length;

@@ -75,6 +75,13 @@ public:
     s_.qualities = Face_values<float>();
   }
 
+  // The moves alone.
+  void move_in_the_end()
+  {
+    place_for_angles();
+    s_.qualities = Face_values<float>();
+  }
+
 private:
   using Searches = std::vector<const Detour_search*>;
 
@@ -167,13 +174,24 @@ private:
     return faces;
   }
 
+  // Nodes to operate at about face f; only its own in a fan of very many faces, since nearly all
+  // such trials find no operation.
+  std::vector<Index> nodes_to_try(Index f, int rings) const
+  {
+    constexpr std::size_t very_many = 100;
+    std::vector<Index> nodes;
+    const std::vector<char> near = nodes_around(s_.mesh, { f }, rings);
+    for(Index v = 0; v < Index(near.size()); ++v)
+      if(near[v]) nodes.push_back(v);
+    if(nodes.size() <= very_many) return nodes;
+    const Quad q = s_.mesh.quad(f);
+    return { q.begin(), q.end() };
+  }
+
   // Each kind of operation about each node near face f, until one helps.
   bool is_mended(Index f, const Detour_search& search)
   {
-    std::vector<Index> nodes;
-    const std::vector<char> near = nodes_around(s_.mesh, { f }, search.rings);
-    for(Index v = 0; v < Index(near.size()); ++v)
-      if(near[v]) nodes.push_back(v);
+    const std::vector<Index> nodes = nodes_to_try(f, search.rings);
     for(const Improvement_options& first : search.first)
       for(Index v : nodes) {
         if(trials_left_ == 0) return false;
@@ -233,7 +251,8 @@ private:
 // What the last resorts have tried in vain in one mesh.
 struct Last_resorts_in_vain
 {
-  Places_in_vain mending, detours;
+  bool has_detours = true; // else none is tried
+  Places_in_vain mending = {}, detours = {};
 };
 
 // The last resorts in turn: sizes first, then shapes, again where one has undone the other, and the
@@ -247,8 +266,7 @@ inline void enforce_sizes_and_shapes(Adaptation_state& s, const Improvement_opti
     if(faces_to_press(s).empty() || are_sizes_out_of_reach(s)) break;
     enforce_sizes(s, o, 12);
   }
-  Local_detours local(s, o);
-  local(in_vain.detours);
+  if(in_vain.has_detours) Local_detours(s, o)(in_vain.detours);
   s.qualities = Face_values<float>(); // their memory is needed
 }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_RUN_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_PROGRESSIVE_RUN_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Known_starts.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Refinement_progress.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Schedule_ingredients.h>
@@ -134,6 +135,17 @@ inline void approach_sizes(Adaptation_state& s, const Improvement_options& clean
   if(use.local_operations) polish(s, clean, use.polishing_rounds, use.gentle_rounds);
 }
 
+// The same from the input, where that has not been done for these sizes before.
+inline void approach_sizes_from_input(Adaptation_state& s, const Improvement_options& clean,
+                                      std::size_t max_passes, const Schedule_ingredients& use,
+                                      Known_starts* known)
+{
+  if(known && known->restore(s, max_passes)) return;
+  const std::size_t before = s.iterations;
+  approach_sizes(s, clean, max_passes, use);
+  if(known) known->add(s, s.iterations - before, max_passes);
+}
+
 // Has a mesh that will be halved about as many faces as its sizes ask for?
 inline bool is_worth_halving(const Adaptation_state& s)
 {
@@ -141,12 +153,13 @@ inline bool is_worth_halving(const Adaptation_state& s)
 }
 
 // Shapes are mended as long as that does not cost so many faces that halving does not pay.
-inline void enforce_before_halving(Adaptation_state& s, const Improvement_options& clean)
+inline void enforce_before_halving(Adaptation_state& s, const Improvement_options& clean,
+                                   const Schedule_ingredients& use)
 {
   enforce_sizes(s, clean, 16);
   if(!is_worth_halving(s)) return;
   Mesh_keeper unmended(s);
-  Last_resorts_in_vain in_vain;
+  Last_resorts_in_vain in_vain{ use.detours };
   enforce_sizes_and_shapes(s, clean, in_vain);
   if(!is_worth_halving(s)) unmended.restore();
 }
@@ -161,10 +174,10 @@ struct Refused_octave
 
 // The same for sizes doubled as often as makes sense.  A solution that takes far too many faces
 // would do so after each halving; then there is one octave less.  Returns how many octaves are
-// left.
+// left.  `known`: where the mesh is the input, what that led to before.
 inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options& clean,
                                  std::size_t max_passes, const Schedule_ingredients& use,
-                                 Refused_octave* refused)
+                                 Refused_octave* refused, Known_starts* known)
 {
   const int most = use.octaves ? int((std::min)(max_passes, std::size_t(30))) : 0;
   int octaves = stay_near_work(s) ? 0 : octaves_above(s, most);
@@ -172,8 +185,8 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
   s.scale_sizes(std::exp2(octaves));
   for(; octaves > 0; --octaves) {
     Mesh_keeper input(s);
-    approach_sizes(s, clean, max_passes - std::size_t(octaves), use);
-    if(use.last_resorts) enforce_before_halving(s, clean);
+    approach_sizes_from_input(s, clean, max_passes - std::size_t(octaves), use, known);
+    if(use.last_resorts) enforce_before_halving(s, clean, use);
     const bool is_full =
         is_worth_halving(s) && (s.mesh.number_of_faces() > given_faces || is_made_to_cover(s));
     if(is_full && (!use.trial_halving || is_made_to_halve_well(s))) return octaves;
@@ -187,7 +200,7 @@ inline int approach_larger_sizes(Adaptation_state& s, const Improvement_options&
     input.restore();
     s.scale_sizes(0.5);
   }
-  approach_sizes(s, clean, max_passes, use);
+  approach_sizes_from_input(s, clean, max_passes, use, known);
   return 0;
 }
 
@@ -241,11 +254,11 @@ inline void spare_rows_left(Adaptation_state& s, const Improvement_options& clea
 // Returns how often the sizes that were met first have been halved.
 inline int run_progressively(Adaptation_state& s, const Improvement_options& clean,
                              std::size_t max_iterations, const Schedule_ingredients& use,
-                             Refused_octave* refused = nullptr)
+                             Refused_octave* refused = nullptr, Known_starts* known = nullptr)
 {
   const std::size_t last = s.iterations + max_iterations;
   release_bends(s);
-  const int octaves = approach_larger_sizes(s, clean, max_iterations, use, refused);
+  const int octaves = approach_larger_sizes(s, clean, max_iterations, use, refused, known);
   for(int left = octaves; left > 0; --left) {
     s.progress = 0.9 - 0.3 * left / octaves;
     if(left < octaves && use.last_resorts) enforce_sizes(s, clean, 16);
@@ -255,7 +268,7 @@ inline int run_progressively(Adaptation_state& s, const Improvement_options& cle
   s.surface.forget_tree(); // coarse faces ask it, fine ones hardly ever
   if(Curve_bends(s).fit() > 0 && use.local_operations) polish_about_bends(s, clean);
   if(use.last_resorts) {
-    Last_resorts_in_vain in_vain;
+    Last_resorts_in_vain in_vain{ use.detours };
     enforce_sizes_and_shapes(s, clean, in_vain);
     fit_bends_left(s, clean, in_vain);
     if(use.coarsening && s.region.empty()) spare_rows_left(s, clean, in_vain);

@@ -35,11 +35,17 @@ inline void run_with_detours(Adaptation_state& s, const Improvement_options& cle
                              std::size_t max_iterations, const Schedule_ingredients& use,
                              Refused_octave* refused = nullptr)
 {
-  const auto run = [&] { return run_progressively(s, clean, max_iterations, use); };
+  Known_starts known;
+  const auto run = [&](bool from_input) {
+    run_progressively(s, clean, max_iterations, use, nullptr, from_input ? &known : nullptr);
+  };
   std::optional<Detours> detours;
-  if(s.mesh.number_of_faces() <= without_detours && s.region.empty()) detours.emplace(s, run);
-  const int octaves = run_progressively(s, clean, max_iterations, use, refused);
-  if(detours && use.coarsening) (*detours)(octaves > 0);
+  if(s.mesh.number_of_faces() <= without_detours && s.region.empty() && use.coarsening &&
+     use.detours)
+    detours.emplace(s, run);
+  const int octaves =
+      run_progressively(s, clean, max_iterations, use, refused, detours ? &known : nullptr);
+  if(detours) (*detours)(octaves > 0);
 }
 
 // Another way from a mesh that is given; the better outcome of both is kept.
@@ -150,7 +156,11 @@ inline void progressive_schedule(Adaptation_state& s, std::size_t max_iterations
   if(use.last_resorts) {
     run_several_ways(s, clean, max_iterations, use_here);
     Curve_bends(s).hold_all();
-    Local_detours(s, clean).in_the_end();
+    Local_detours last(s, clean);
+    if(use.detours)
+      last.in_the_end();
+    else
+      last.move_in_the_end();
     release_bends(s);
   } else {
     run_progressively(s, clean, max_iterations, use_here);

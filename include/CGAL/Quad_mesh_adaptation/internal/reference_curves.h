@@ -4,10 +4,12 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_CURVES_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_REFERENCE_CURVES_H
 
-#include <CGAL/Quad_mesh_adaptation/internal/Feature_curve.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Curve_lookup.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <utility>
@@ -50,45 +52,56 @@ inline std::vector<Vec> stretch(const Feature_curve& loop, double a, double b)
   const double L = loop.length();
   if(b <= a) b += L;
   std::vector<Vec> points = { loop.point(a) };
-  for(int turn = 0; turn < 2; ++turn)
-    for(std::size_t i = 0; i + 1 < loop.points().size(); ++i) {
-      const double s = loop.arcs()[i] + turn * L;
-      if(s > a + 1e-9 * L && s < b - 1e-9 * L) points.push_back(loop.points()[i]);
-    }
+  const std::vector<double>& arcs = loop.arcs(); // the last point is the first again
+  const std::size_t n = arcs.size() - 1;
+  std::size_t i =
+      std::size_t(std::upper_bound(arcs.begin(), arcs.end(), a + 1e-9 * L) - arcs.begin());
+  for(; arcs[i % n] + double(i / n) * L < b - 1e-9 * L; ++i) points.push_back(loop.points()[i % n]);
   points.push_back(loop.point(b));
   return points;
+}
+
+// The loop nearest to curve c, by the sum of the distances of points of c.
+inline const Curve_lookup& nearest_loop(const Feature_curve& c,
+                                        const std::vector<Curve_lookup>& loops)
+{
+  constexpr std::size_t many = 100; // points to tell
+  const std::vector<Vec>& p = c.points();
+  const std::size_t step = 1 + p.size() / many, looked_at = (p.size() + step - 1) / step;
+  const Box box(p);
+  const Curve_lookup* best = &loops.front();
+  double least = (std::numeric_limits<double>::max)();
+  for(const Curve_lookup& loop : loops) {
+    if(double(looked_at) * std::sqrt(box.squared_distance(loop.box())) > least) continue;
+    double sum = 0;
+    for(std::size_t i = 0; i < p.size() && sum < least; i += step) sum += loop.distance_to(p[i]);
+    if(!(sum < least)) continue;
+    least = sum;
+    best = &loop;
+  }
+  return *best;
 }
 
 // The part of the reference border that curve c of the input stands for: the loop nearest to it,
 // between the points nearest to its ends, on the side of its inner points.
 inline Feature_curve curve_on_reference(const Feature_curve& c,
-                                        const std::vector<Feature_curve>& loops)
+                                        const std::vector<Curve_lookup>& loops)
 {
   const std::vector<Vec>& p = c.points();
-  std::size_t best = 0;
-  double least = (std::numeric_limits<double>::max)();
-  for(std::size_t i = 0; i < loops.size(); ++i) {
-    double sum = 0;
-    for(const Vec& q : p) sum += distance(q, loops[i].point(loops[i].nearest(q)));
-    if(sum < least) {
-      least = sum;
-      best = i;
-    }
-  }
-  const Feature_curve& loop = loops[best];
+  const Curve_lookup& lookup = nearest_loop(c, loops);
+  const Feature_curve& loop = lookup.curve();
   if(c.is_closed()) {
     Feature_curve whole(loop.points(), true, true, false);
     whole.constrained = c.constrained;
     return whole;
   }
-  const double a = loop.nearest(p.front()), b = loop.nearest(p.back());
+  const double a = lookup.nearest(p.front()), b = lookup.nearest(p.back());
   const Vec inside = p.size() > 2 ? p[p.size() / 2] : 0.5 * (p.front() + p.back());
-  std::vector<Vec> forward = stretch(loop, a, b), backward = stretch(loop, b, a);
-  std::reverse(backward.begin(), backward.end());
-  Feature_curve f(forward, false, true, false), g(backward, false, true, false);
-  const double df = distance(f.point(f.nearest(inside)), inside);
-  const double dg = distance(g.point(g.nearest(inside)), inside);
-  Feature_curve result = df <= dg ? f : g;
+  const double at = loop.wrapped(lookup.nearest(inside) - a), whole = loop.wrapped(b - a);
+  const bool is_forward = !(whole > 0) || at <= whole;
+  std::vector<Vec> points = is_forward ? stretch(loop, a, b) : stretch(loop, b, a);
+  if(!is_forward) std::reverse(points.begin(), points.end());
+  Feature_curve result(std::move(points), false, true, false);
   result.constrained = c.constrained;
   result.first_corner = c.first_corner;
   result.last_corner = c.last_corner;
