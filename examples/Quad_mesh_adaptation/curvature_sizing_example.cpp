@@ -11,17 +11,24 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/adapt_quad_mesh.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <string>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-int main(int argc, char* argv[])
+int run(int argc, char* argv[])
 {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/spot.off");
-  const double faces_in_circle = argc > 2 ? std::atof(argv[2]) : 12;
+  char* end = nullptr;
+  const double faces_in_circle = argc > 2 ? std::strtod(argv[2], &end) : 12;
+  if(end && (end == argv[2] || *end != 0)) {
+    std::cerr << argv[2] << " is no number\n";
+    return EXIT_FAILURE;
+  }
   const std::string output = argc > 3 ? argv[3] : "curvature.off";
 
   Mesh mesh;
@@ -31,11 +38,12 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  const double length = box.xmax() - box.xmin();
+  const double length = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(),
+                                   box.zmax() - box.zmin()); // of its diagonal
 
-  // never finer than 1 % of the shape or coarser than 15 %, and growing by 0.3 per unit of length
+  // never finer than 0.4 % of the shape or coarser than 6 %, and growing by 0.3 per unit of length
   const auto by_curvature = QMA::Curvature_sizing_field::elements_per_circle(
-      mesh, faces_in_circle, { 0.01 * length, 0.15 * length });
+      mesh, faces_in_circle, { 0.004 * length, 0.06 * length });
   const QMA::Graded_sizing_field size(mesh, by_curvature, 0.3);
 
   std::cout << "About " << QMA::expected_number_of_faces(size, mesh) << " faces expected\n";
@@ -50,4 +58,14 @@ int main(int argc, char* argv[])
   const auto written = QMA::write_quad_mesh(output, mesh);
   if(!written.ok()) std::cerr << written.message << '\n';
   return written.ok() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int main(int argc, char* argv[])
+{
+  try {
+    return run(argc, argv);
+  } catch(const std::exception& error) { // such as fewer than 3 faces in a circle
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 }

@@ -8,6 +8,7 @@
 #include <CGAL/adapt_quad_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -21,8 +22,12 @@ int main(int argc, char* argv[])
 {
   const std::string directory = argc > 1 ? argv[1] : ".";
   Mesh mesh;
-  if(!QMA::read_quad_mesh(CGAL::data_file_path("meshes/box_cylinder.off"), mesh).ok())
+  const QMA::Read_result read =
+      QMA::read_quad_mesh(CGAL::data_file_path("meshes/box_cylinder.off"), mesh);
+  if(!read.ok()) {
+    std::cerr << read.message << '\n';
     return EXIT_FAILURE;
+  }
 
   // Patch 1 is one half of the part, 0 the other: the seam between them is kept like an edge, and
   // the numbers come back on the new faces.  Edges that turn by 40 degrees need no mark.
@@ -53,5 +58,7 @@ int main(int argc, char* argv[])
               << report.corners << " corners; faces to input " << report.after.mesh_to_reference
               << ", input to faces " << report.after.reference_to_mesh << '\n';
   }
-  return QMA::write_quad_mesh(directory + "/part.vtk", mesh).ok() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const auto written = QMA::write_quad_mesh(directory + "/part.vtk", mesh);
+  if(!written.ok()) std::cerr << written.message << '\n';
+  return written.ok() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -62,5 +62,7 @@ int main(int argc, char* argv[])
             << ", smallest scaled Jacobian " << report.after.min_scaled_jacobian
             << "\nvertices off the torus by at most " << off << ", faces by "
             << report.after.mesh_to_reference << '\n';
-  return QMA::write_quad_mesh(directory + "/torus.vtk", mesh).ok() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const auto written = QMA::write_quad_mesh(directory + "/torus.vtk", mesh);
+  if(!written.ok()) std::cerr << written.message << '\n';
+  return written.ok() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

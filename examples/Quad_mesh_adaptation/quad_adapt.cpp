@@ -84,6 +84,17 @@ int write_outputs(const Options& options, const Size_function& size, const Mesh&
   return result.ok() ? 0 : refuse(result.message);
 }
 
+// The sets are those of INPUT: a reference has none.
+void add_sizes_of_shape(const Options& options, const Inputs& in, Size_function& size)
+{
+  if(options.reference.empty())
+    add_sizes_of_surface(
+        options, in.mesh, [&in](Mesh::Edge_index e) { return in.sets->is_kept(e); }, size);
+  else
+    add_sizes_of_surface(
+        options, in.reference, [](Mesh::Edge_index) { return false; }, size);
+}
+
 int run(const Options& options)
 {
   Size_function size;
@@ -94,7 +105,7 @@ int run(const Options& options)
   if(exit_code == 0) exit_code = probe_outputs(options);
   if(exit_code == 0) exit_code = add_sizes_of_error(options, mesh, in.fields, size);
   if(exit_code != 0) return exit_code;
-  add_sizes_of_surface(options, options.reference.empty() ? mesh : in.reference, size);
+  add_sizes_of_shape(options, in, size);
   if(options.gradation) limit_growth(options, mesh, size);
   std::vector<Mesh::Face_index> region;
   exit_code = choose_region(options, mesh, region);

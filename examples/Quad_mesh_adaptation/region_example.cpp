@@ -54,6 +54,7 @@ int main(int argc, char* argv[])
   std::cout << region.size() << " faces of the region became "
             << mesh.number_of_faces() - rest.size() << "; of the other " << rest.size() << ", "
             << kept << " were kept\n";
-  const bool is_written = QMA::write_quad_mesh(directory + "/region.vtk", mesh).ok();
-  return is_written && kept == rest.size() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const auto written = QMA::write_quad_mesh(directory + "/region.vtk", mesh);
+  if(!written.ok()) std::cerr << written.message << '\n';
+  return written.ok() && kept == rest.size() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -47,7 +47,11 @@ int main(int argc, char* argv[])
     std::cout << (smooth ? "smooth: " : "facets: ") << report.before.faces << " faces -> "
               << report.after.faces << ", vertices off the paraboloid by " << off[smooth] << '\n';
     const std::string file = directory + (smooth ? "/nosecone_smooth.vtk" : "/nosecone_facets.vtk");
-    if(!QMA::write_quad_mesh(file, mesh).ok()) return EXIT_FAILURE;
+    const auto written = QMA::write_quad_mesh(file, mesh);
+    if(!written.ok()) {
+      std::cerr << written.message << '\n';
+      return EXIT_FAILURE;
+    }
   }
   std::cout << "nearer by a factor of " << off[0] / off[1] << '\n';
   return off[0] > 10 * off[1] ? EXIT_SUCCESS : EXIT_FAILURE;

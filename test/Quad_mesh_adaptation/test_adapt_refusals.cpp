@@ -5,6 +5,9 @@
 
 #include "support/usual_calls.h"
 
+#include <CGAL/Quad_mesh_adaptation/expected_number_of_faces.h>
+#include <CGAL/Quad_mesh_adaptation/smooth.h>
+
 #include <CGAL/Polyhedron_3.h>
 
 #include <gtest/gtest.h>
@@ -158,7 +161,31 @@ TEST(Refusals, BadDistances)
   }
 }
 
+TEST(Refusals, NegativeNumbersOfIterations)
+{
+  Mesh mesh = plate();
+  const Mesh before = mesh;
+  const auto np = CGAL::parameters::number_of_iterations(-1);
+  for(const Adaptation_report& r :
+      { QMA::adapt_quad_mesh(0.5, mesh, np), QMA::smooth(0.5, mesh, np) }) {
+    EXPECT_EQ(r.status, Adaptation_status::input_refused);
+    EXPECT_EQ(r.reason, Refusal::invalid_parameter);
+    EXPECT_NE(r.message.find("number_of_iterations(-1)"), std::string::npos) << r.message;
+    EXPECT_TRUE(zoo_mesh::is_same(mesh, before));
+  }
+  EXPECT_THROW(QMA::expected_number_of_faces(0.5, mesh, np), std::invalid_argument);
+}
+
 // --- sizes
+
+TEST(Refused_sizes, AreToldToTheLastDigit)
+{
+  Mesh mesh = plate();
+  const double bad = -0.12345678901234566;
+  const Adaptation_report r = QMA::adapt_quad_mesh(Size([&](const Point&) { return bad; }), mesh);
+  EXPECT_EQ(r.status, Adaptation_status::sizes_refused);
+  EXPECT_NE(r.message.find(" is -0.12345678901234566,"), std::string::npos) << r.message;
+}
 
 TEST(Refused_sizes, Numbers)
 {

@@ -287,6 +287,9 @@ TEST(Measure_quad_mesh, refuses_triangles_and_bad_sizes)
   CGAL::make_triangle(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), triangle);
   CGAL::make_quad(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), square);
   EXPECT_THROW(QMA::measure_quad_mesh(triangle, 1.), std::invalid_argument);
+  auto bad = square;
+  bad.point(*bad.vertices().begin()) = Point(0, std::nan(""), 0);
+  EXPECT_THROW(QMA::measure_quad_mesh(bad, 1.), std::invalid_argument);
   EXPECT_THROW(QMA::measure_quad_mesh(square, 0.), std::domain_error);
   EXPECT_THROW(QMA::measure_quad_mesh(square, std::nan("")), std::domain_error);
   EXPECT_THROW(QMA::measure_quad_mesh(square, std::numeric_limits<double>::infinity()),

@@ -90,6 +90,19 @@ TEST(MeshFields, ReadsGroupsMaterialsAndPolylinesOfObj)
   EXPECT_EQ(fields.edges, (Edges{ { 1, 4 }, { 4, 5 } }));
 }
 
+TEST(MeshFields, GroupsAndMaterialsOfTheSameNamesAreTwoPatches)
+{
+  Mesh mesh;
+  Mesh_fields fields;
+  ASSERT_TRUE(
+      read_fields(".obj",
+                  std::string(obj_vertices) + "g a b\nf 1 2 5 4\ng a\nusemtl b\nf 2 3 6 5\n", mesh,
+                  fields)
+          .ok());
+  EXPECT_EQ(fields.face.at(0).values, (Values{ 0, 1 }));
+  EXPECT_EQ(fields.patch_names, (std::vector<std::string>{ "a b", "a b_2" }));
+}
+
 TEST(MeshFields, AnObjFileWithoutGroupsHasNoPatches)
 {
   Mesh mesh;
@@ -138,6 +151,23 @@ TEST(MeshFields, ComeBackFromFiles)
       EXPECT_EQ(read.patch_names, (std::vector<std::string>{ "default", "cap" }));
     }
   }
+}
+
+TEST(MeshFields, EqualNamesAreToldApart)
+{
+  Mesh mesh;
+  ASSERT_TRUE(read_text(".ply", ply_text, mesh).ok());
+  Mesh_fields fields, read;
+  const Values numbers(6, 0.5), others(6, 7);
+  fields.vertex = { { "x", others }, { "a-b", numbers }, { "a_b", others }, { "a b", others } };
+  const Temporary_file file(".ply", "");
+  ASSERT_TRUE(write_quad_mesh(file.name(), mesh, fields).ok());
+  Mesh again;
+  ASSERT_TRUE(read_quad_mesh(file.name(), again, read).ok());
+  std::vector<std::string> names;
+  for(const Scalar_field& field : read.vertex) names.push_back(field.name);
+  EXPECT_EQ(names, (std::vector<std::string>{ "x_2", "a_b", "a_b_2", "a_b_3" }));
+  EXPECT_EQ(again.point(*again.vertices().begin()), mesh.point(*mesh.vertices().begin()));
 }
 
 TEST(MeshFields, EdgesOfVerticesThatAreNotThereAreNotWritten)

@@ -207,6 +207,29 @@ awk '/^element vertex/ { nv = $3 } /^element face/ { nf = $3; face = 1 } /^eleme
     ++k; e = 1e-9; for(i = int(cx - e); i <= int(cx + e); ++i) for(j = int(cy - e); j <= int(cy + e); ++j) {
       d = $(5 + at) - 1 / (1 + i*i + j*j); if(d * d < 1e-9) { ++good; i = j = 99 } } }
   END { exit !(at > 0 && k > 60 && good == k) }' heat_out.ply || fail "a field of faces was not carried over"
+# but not what is for the eye
+sed 's/^property uchar fixed$/property uchar u\nproperty float v/; s/^\([0-9]* [0-9]* 0\) [01]$/\1 0.5 0.5/' \
+  sets.ply >look.ply
+expect 0 'texture coordinates are left out: u, v$' look.ply look_out.ply --size 0.8
+grep -qE '^property double [uv]$' look_out.ply && fail "texture coordinates were carried over"
+# a fold that is marked or parts patches is a crease
+roof() { # roof MARKED PATCHES: two planes that turn by 30 degrees at x = 4
+  awk -v marked="$1" -v patches="$2" 'BEGIN {
+    for(j = 0; j <= 4; ++j) for(i = 0; i <= 8; ++i) print "v", i, j, (i < 4 ? i : 8 - i) * 0.2679491924
+    for(i = 0; i < 8; ++i) { if(patches && i % 4 == 0) print "g side_" i / 4
+      for(j = 0; j < 4; ++j) { v = 9*j+i+1; print "f", v, v+1, v+10, v+9 } }
+    for(j = 0; j < 4 && marked; ++j) print "l", 9*j+5, 9*j+14 }'
+}
+roof 0 0 >plain.obj
+roof 1 0 >marked.obj
+roof 0 1 >parted.obj
+for input in plain marked parted; do
+  expect 0 '' $input.obj $input.off --chord-error 0.004 --max-size 1 --quiet
+done
+for input in marked parted; do
+  [ "$(faces $input.off)" -le 40 ] || fail "--chord-error resolves a fold that is kept: $input"
+  [ "$(faces $input.off)" -lt "$(faces plain.off)" ] || fail "--chord-error does not see a fold"
+done
 # sizes from error indicators
 expect 0 '' sets.ply error.off --error eta --error-reduction 0.2 --ignore-sets --quiet
 expect 0 '' sets.ply error_faces.off --error eta --error-faces 400 --ignore-sets --quiet

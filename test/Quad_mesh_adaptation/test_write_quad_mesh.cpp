@@ -206,6 +206,44 @@ TEST_F(WriteQuadMesh, FollowsLinksAndKeepsPermissions)
   EXPECT_EQ(number_of_files(), 2u);
 }
 
+TEST_F(WriteQuadMesh, FollowsLinksToFilesThatAreNotThereYet)
+{
+  fs::create_directory(path("sub"));
+  fs::create_symlink("sub/second.off", path("first.off"));
+  fs::create_symlink("real.off", path("sub/second.off"));
+  ASSERT_TRUE(write_quad_mesh(path("first.off"), mesh).ok());
+  EXPECT_TRUE(fs::is_symlink(path("first.off")) && fs::is_symlink(path("sub/second.off")));
+  EXPECT_EQ(contents(path("sub/real.off")).substr(0, 4), "OFF\n");
+  fs::create_symlink("b.off", path("a.off"));
+  fs::create_symlink("a.off", path("b.off"));
+  EXPECT_FALSE(write_quad_mesh(path("a.off"), mesh).ok());
+  EXPECT_TRUE(fs::is_symlink(path("a.off")) && fs::is_symlink(path("b.off")));
+}
+
+TEST_F(WriteQuadMesh, TransactionRefusesTheSameNameTwice)
+{
+  fs::create_symlink("a.txt", path("link.txt"));
+  File_transaction files;
+  ASSERT_TRUE(files.stage(path("a.txt"), "one").ok());
+  EXPECT_FALSE(files.stage(path("link.txt"), "two").ok());
+  ASSERT_TRUE(files.commit().ok());
+  EXPECT_EQ(contents(path("a.txt")), "one");
+}
+
+TEST_F(WriteQuadMesh, PlyHoldsLargePolygons)
+{
+  Mesh polygon;
+  std::vector<Mesh::Vertex_index> corners;
+  for(int i = 0; i < 300; ++i)
+    corners.push_back(polygon.add_vertex(Kernel::Point_3(std::cos(i / 50.), std::sin(i / 50.), 0)));
+  polygon.add_face(corners);
+  ASSERT_TRUE(write_quad_mesh(path("a.ply"), polygon).ok());
+  EXPECT_NE(contents(path("a.ply")).find("property list int int"), std::string::npos);
+  Mesh again;
+  ASSERT_TRUE(read_surface(path("a.ply"), again).ok());
+  EXPECT_EQ(again.degree(*again.faces().begin()), 300u);
+}
+
 TEST_F(WriteQuadMesh, TransactionShowsNothingBeforeItIsCommitted)
 {
   std::ofstream(path("a.txt")) << "old";

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,8 +32,13 @@ public:
   /// `mesh` is as it was read.  `notes`: what cannot be carried over.
   void take(const Mesh& mesh, const QMA::Mesh_fields& fields, std::vector<std::string>& notes)
   {
+    std::set<std::string> left_out;
+    const std::set<std::string> of_vertices = looks(fields.vertex, left_out),
+                                of_faces = looks(fields.face, left_out);
+    if(!left_out.empty()) notes.push_back(note_on(left_out));
     for(const QMA::Scalar_field& field : fields.vertex) {
       if(field.name == Mesh_sets::fixed_field || is_own(field.name)) continue;
+      if(of_vertices.count(field.name) > 0) continue;
       if(!std::all_of(field.values.begin(), field.values.end(),
                       [](double value) { return std::isfinite(value); })) {
         notes.push_back("the property \"" + field.name +
@@ -46,7 +52,8 @@ public:
           QMA::Nodal_field(mesh, boost::make_function_property_map<Mesh::Vertex_index>(value)));
     }
     for(const QMA::Scalar_field& field : fields.face)
-      if(field.name != QMA::patch_field && !is_own(field.name)) at_faces_.push_back(field);
+      if(field.name != QMA::patch_field && !is_own(field.name) && of_faces.count(field.name) == 0)
+        at_faces_.push_back(field);
     if(!at_faces_.empty()) nearest_.emplace(mesh);
   }
 
@@ -72,6 +79,32 @@ private:
   static bool is_own(const std::string& name)
   {
     return name == "size" || name == "size_ratio" || name == "scaled_jacobian";
+  }
+
+  // Names of those that are normals, colours or texture coordinates, and not numbers to
+  // interpolate; only where all of a kind are there.
+  static std::set<std::string> looks(const std::vector<QMA::Scalar_field>& fields,
+                                     std::set<std::string>& all)
+  {
+    static const std::vector<std::vector<std::string>> kinds = {
+      { "nx", "ny", "nz" }, { "red", "green", "blue" },   { "red", "green", "blue", "alpha" },
+      { "s", "t" },         { "texture_u", "texture_v" }, { "u", "v" }
+    };
+    std::set<std::string> names;
+    for(const std::vector<std::string>& kind : kinds)
+      if(std::all_of(kind.begin(), kind.end(), [&](const std::string& name) {
+           return QMA::Mesh_fields::find(fields, name) != nullptr;
+         }))
+        names.insert(kind.begin(), kind.end());
+    all.insert(names.begin(), names.end());
+    return names;
+  }
+
+  static std::string note_on(const std::set<std::string>& names)
+  {
+    std::string list;
+    for(const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return "normals, colours and texture coordinates are left out: " + list;
   }
 
   std::size_t origin_of(Mesh::Face_index f, const Mesh& mesh) const

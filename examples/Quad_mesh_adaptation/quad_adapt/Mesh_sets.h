@@ -63,6 +63,15 @@ public:
   Edge_map marked_edges() const { return is_marked_; }
   Vertex_map fixed_vertices() const { return is_fixed_; }
 
+  /// Is that edge marked, or does it part patches?
+  bool is_kept(Mesh::Edge_index e) const
+  {
+    if(get(is_marked_, e)) return true;
+    const Mesh::Halfedge_index h = mesh_.halfedge(e);
+    return !mesh_.is_border(e) &&
+           get(patch_, mesh_.face(h)) != get(patch_, mesh_.face(mesh_.opposite(h)));
+  }
+
   /// Those of the mesh as it is now, to be written with it.
   void add_to(QMA::Mesh_fields& fields) const
   {

@@ -6,7 +6,11 @@
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_visitor.h>
 
+#ifdef _WIN32
+#include <io.h>
+#else
 #include <unistd.h>
+#endif
 
 #include <csignal>
 #include <cstddef>
@@ -29,11 +33,21 @@ inline void catch_interrupts()
   std::signal(SIGTERM, interrupt);
 }
 
+/// Is the error stream a terminal?
+inline bool is_on_terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
 /// A line on the terminal (the error stream, only when it is one) that says what is being done.
 class Progress : public CGAL::Quad_mesh_adaptation::Adaptation_visitor
 {
 public:
-  explicit Progress(bool is_quiet) : is_shown_(!is_quiet && isatty(STDERR_FILENO) != 0) {}
+  explicit Progress(bool is_quiet) : is_shown_(!is_quiet && is_on_terminal()) {}
   ~Progress() { clear(); }
 
   void start_phase(const char* name, std::size_t iteration)

@@ -132,11 +132,16 @@ inline int add_sizes_of_error(const Options& options, const Mesh& mesh,
 }
 
 /// Adds the sizes that follow from the shape of the surface, and brings all within the bounds.
-inline void add_sizes_of_surface(const Options& options, const Mesh& surface, Size_function& size)
+/// `is_kept`: edges that are creases whatever their angle.
+inline void add_sizes_of_surface(const Options& options, const Mesh& surface,
+                                 const std::function<bool(Mesh::Edge_index)>& is_kept,
+                                 Size_function& size)
 {
   const QMA::Size_range range = range_of(options);
+  const auto creases = CGAL::parameters::edge_is_constrained_map(
+      boost::make_function_property_map<Mesh::Edge_index>(is_kept));
   const auto parameters =
-      QMA::smooth_reference(options.is_smooth, QMA::feature_angle(options.feature_angle));
+      QMA::smooth_reference(options.is_smooth, QMA::feature_angle(options.feature_angle, creases));
   if(options.elements_per_circle)
     add_size(QMA::Curvature_sizing_field::elements_per_circle(surface, *options.elements_per_circle,
                                                               range, parameters),

@@ -158,7 +158,8 @@ inline void describe_sizes(CLI::App& app, Options& options)
                      ->check(number_from(3));
   sizes
       ->add_option("--chord-error", options.chord_error,
-                   "Faces that leave the surface by at most about this distance")
+                   "Faces that leave the surface by at most about this distance; creases do\n"
+                   "not count, nor, without --reference, do marked edges and patch borders")
       ->type_name("E")
       ->check(number_from(0))
       ->excludes(circle);

@@ -56,13 +56,14 @@ struct Adaptation_report
   long entity = -1;
 
   /// Of the input, with its nodes on the reference if there is a separate one; filled unless the
-  /// input was refused.  Of the result; filled where `has_valid_mesh()`.
+  /// input or the sizes were refused.  Of the result; filled where `has_valid_mesh()`.
   Mesh_measures before, after;
   /// What the formula of `expected_number_of_faces()` says, made before the work; where that
   /// function adapts a copy and counts, it is nearer to the outcome.  `adapt_quad_mesh()` with the
   /// default schedule only, otherwise 0.
   double expected_number_of_faces = 0;
-  /// How fast the given size grows over the input mesh; filled unless the input was refused.
+  /// How fast the given size grows over the input mesh; filled unless the input or the
+  /// sizes were refused.
   Size_growth size_growth;
   /// Sentences for a person on what could be asked for better, no errors; without final full stop.
   std::vector<std::string> advice;

@@ -11,10 +11,11 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 
 /*!
-makes faces larger where they are smaller than asked, without refining anything.  By default local
-operations close faces while the energy falls; with `schedule(Schedule::paper)` rings of faces are
-collapsed inside the regions of too small faces, with clean-up (step 3 of section 3.3 of Anderson,
-Benzley and Owen, 2009).
+makes faces larger where they are smaller than asked, without refining anything.  By default fans of
+faces are thinned, whole dual chords removed, nodes smoothed, and faces closed by local operations
+while the energy falls, in turns; with `schedule(Schedule::paper)` rings of faces are collapsed
+inside the regions of too small faces, with clean-up (step 3 of section 3.3 of Anderson, Benzley and
+Owen, 2009).
 
 All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
 mesh is valid after the call, and unchanged where it is refused or cancelled.

@@ -16,6 +16,10 @@ curve: step 2 of section 3.3 of Anderson, Benzley and Owen (2009).  Corners and 
 support are kept; a chord that crosses or touches itself, or whose removal would change the
 topology, stays.  Complexity: a few scans of the half-edges and the chords removed.
 
+As in the paper, and whatever `schedule()` says, a face is judged by the size at its centre alone,
+and the status is `sizes_met` where all faces are within their size but for the paper's
+tolerance, 3.5 % of them.
+
 All else, the parameters, refusals, guarantees and the report, is as in `adapt_quad_mesh()`: the
 mesh is valid after the call, and unchanged where it is refused or cancelled.
 `number_of_iterations()` does not matter.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Core_run.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/most_rehearsed_faces.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <stdexcept>
@@ -65,12 +66,14 @@ features and sizes leave little room, 108 came within 15 % of the formula; see t
 Where at most `most_rehearsed_faces` are expected, single rows of faces count, which no formula
 foretells: there a mesh of at most twenty times as many faces is adapted in memory and the faces are
 counted.  Then the outcome is the number.  The paper's schedule leaves about twice as many faces as
-the default one, for which the number is.
+the default one, for which the number is.  Sizes that ask for more than 1e8 faces, which
+`adapt_quad_mesh()` refuses, get a number here.
 
 \param sizing a number, or a callable `FT operator()(const Point_3&) const`, as for
   `adapt_quad_mesh()`.
 \param mesh a model of `FaceListGraph` and `HalfedgeListGraph`; it is not changed.
-\param np optional: all that `adapt_quad_mesh()` takes.  Visitor, callback and schedule are ignored;
+\param np optional: all that `adapt_quad_mesh()` takes.  Visitor, callback and schedule are ignored,
+  and `aim()` beside `schedule(Schedule::paper)`, which has no other aim than the default;
   `number_of_iterations` counts only where the faces are counted.
 
 \throws std::invalid_argument for a mesh or parameters that `adapt_quad_mesh()` would refuse, with

@@ -41,13 +41,15 @@ Size_function checked_size(const SizingField& sizing)
 /// \brief Measures a quad mesh against a sizing field: counts, valences, the size-ratio table of
 /// Anderson, Benzley and Owen (2009), efficiency and Verdict's quality figures.
 ///
+/// The mesh comes first: it is what is measured.  Functions that change it take the sizes first.
+///
 /// \param mesh a model of `FaceListGraph` and `HalfedgeListGraph`; isolated vertices are ignored.
 /// \param sizing the target edge length, in units of the coordinates: a number, or a callable
 ///        `double(const Point_3&)`.
 /// \param np optional: `vertex_point_map` (default: the internal map of `mesh`).
 /// \returns the measures.  The ideal number of faces, on which the efficiency rests, is integrated
 ///          over `mesh` itself to about 1e-3 of its value; `max_distance_to_reference` is 0.
-/// \throws std::invalid_argument if a face is not a quad,
+/// \throws std::invalid_argument if a face is not a quad or a coordinate of one is not finite,
 ///         std::domain_error if a size is not a positive finite number;
 ///         exceptions of `sizing` pass through.
 ///
@@ -60,6 +62,10 @@ Mesh_measures measure_quad_mesh(const QuadMesh& mesh, const SizingField& sizing,
   const auto point_map = internal::vertex_points(mesh, np);
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   const internal::Quad_arrays a = internal::quad_arrays(mesh, point_map, "measure_quad_mesh");
+  for(const internal::Quad& q : a.quads)
+    for(const internal::Index v : q)
+      if(!internal::is_finite(a.points[v]))
+        throw std::invalid_argument("measure_quad_mesh: a coordinate is not finite");
   return internal::measure(a.points, a.quads, internal::checked_size<Point>(sizing));
 }
 

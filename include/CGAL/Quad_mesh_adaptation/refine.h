@@ -14,8 +14,9 @@ namespace Quad_mesh_adaptation {
 
 /*!
 halves edges that are too long, with templates that keep the mesh conforming, and smooths with
-respect to the size after every pass; no clean-up, no coarsening.  `number_of_iterations(n)` limits
-the passes; by default it goes on until no edge asks for a split.  Parity is solved for the whole
+respect to the size after every pass; no clean-up, no coarsening.  It goes on until no
+edge asks for a split, but for `number_of_iterations(n)` passes at most, by default
+`default_number_of_iterations`.  Parity is solved for the whole
 mesh as a minimum-weight T-join.  Edges that must not change are never split, and then a solution
 always exists; what stays larger than asked because of them is listed in the report.
 Where all faces are well above their size, nothing is frozen and the size grows slowly, the sizes

@@ -25,7 +25,8 @@ struct Write_result
 
 /// Writes files all or nothing: each is first written beside its target under another name, and
 /// only `commit()` gives them their names.  What is not committed is removed by the destructor, so
-/// no failure leaves a half-written file or loses an old one.
+/// no failure of a call or of the disk leaves a half-written file or loses an old one.  That does
+/// not hold for a loss of power: nothing is forced onto the disk.
 class File_transaction
 {
 public:
@@ -34,7 +35,8 @@ public:
   File_transaction& operator=(const File_transaction&) = delete;
   ~File_transaction();
 
-  /// Writes `contents` beside `target`, which stays as it is.  A symbolic link is followed.
+  /// Writes `contents` beside `target`, which stays as it is.  A symbolic link is followed, also
+  /// to a file that is not there yet.  A target that is staged already is refused.
   Write_result stage(const std::string& target, const std::string& contents);
 
   /// Gives every staged file its name, replacing what had it.  Stops at the first that fails; only

@@ -16,7 +16,8 @@ namespace Quad_mesh_adaptation {
 /// A number per vertex or per face, in the order of iteration over the mesh.
 struct Scalar_field
 {
-  std::string name; ///< letters, digits and underscores; others are written as underscores
+  std::string name; ///< letters, digits and underscores; others are written as underscores, and
+                    ///< equal names with numbers
   std::vector<double> values;
 };
 

@@ -104,7 +104,7 @@ Read_result read_quad_mesh(const std::string& file, QuadMesh& mesh)
 /// - PLY: every property of vertices and faces that is a single number, as a field, and the element
 ///   `edge` with its `vertex1` and `vertex2` as marked edges;
 /// - OBJ: groups (`g`) and materials (`usemtl`) as the face field `patch_field`, a patch being the
-///   faces with the same of both, and polylines (`l`) as marked edges;
+///   faces with the same of both, named by both, and polylines (`l`) as marked edges;
 /// - OFF: nothing.
 ///
 /// \param fields is replaced; vertices and faces are counted in the order of iteration over `mesh`.

@@ -53,9 +53,10 @@ std::string quad_mesh_file_contents(const std::string& file, const QuadMesh& mes
 /// \param file path of the file to write
 /// \param mesh vertices and faces are written in its order of iteration
 /// \param fields numbers per vertex and per face, in the same order, and marked edges.  OFF files
-/// hold
-///        none of them, OBJ files patches (as groups) and marked edges (as polylines), PLY files
-///        all but the names of patches, VTK files all numbers.
+///        hold none of them, OBJ files patches (as groups) and marked edges (as polylines), PLY
+///        files all but the names of patches, VTK files all numbers.  A field whose name an earlier
+///        one has already, once it is written in letters, digits and underscores, or that is a
+///        coordinate in PLY, gets a number at the end of its name: `heat_2`.
 /// \return `unwritable_file` with the reason when the extension is not known, a field has not as
 ///         many values as the mesh vertices or faces, a marked edge names a vertex that is not
 ///         there, or the file cannot be written
@@ -66,13 +67,14 @@ Write_result write_quad_mesh(const std::string& file, const QuadMesh& mesh,
   if(!is_mesh_format_known(file))
     return { Refusal::unwritable_file,
              file + ": cannot be written: its name must end in .off, .obj, .ply, .vtk or .vtu" };
+  const std::size_t number_of_vertices = vertices(mesh).size(); // linear for some meshes
   const std::string wrong =
-      internal::field_of_wrong_length(fields, vertices(mesh).size(), faces(mesh).size());
+      internal::field_of_wrong_length(fields, number_of_vertices, faces(mesh).size());
   if(!wrong.empty())
     return { Refusal::unwritable_file, file + ": cannot be written: the field \"" + wrong +
                                            "\" has not one value per entity" };
   for(const std::array<std::size_t, 2>& edge : fields.edges)
-    if((std::max)(edge[0], edge[1]) >= vertices(mesh).size())
+    if((std::max)(edge[0], edge[1]) >= number_of_vertices)
       return { Refusal::unwritable_file,
                file + ": cannot be written: a marked edge names a vertex that is not there" };
   File_transaction transaction;

@@ -18,10 +18,6 @@
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
-
-/// The number of faces up to which `expected_number_of_faces()` tries what comes out.
-constexpr double most_rehearsed_faces = 1000;
-
 namespace internal {
 
 // What the public functions differ in but for their algorithms.

@@ -13,6 +13,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
+#include <CGAL/Quad_mesh_adaptation/most_rehearsed_faces.h>
 
 #include <cstddef>
 #include <optional>

@@ -14,6 +14,24 @@
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
+namespace internal {
+
+// Puts the file that symbolic links lead to in place of theirs, be it there or not; `false` where
+// they go round in circles.
+inline bool follow_links(std::filesystem::path& file)
+{
+  constexpr int most = 40; // of one after the other, as in Linux
+  std::error_code error;
+  for(int i = 0; i < most; ++i) {
+    if(!std::filesystem::is_symlink(std::filesystem::symlink_status(file, error))) return true;
+    const std::filesystem::path next = std::filesystem::read_symlink(file, error);
+    if(error) return false;
+    file = file.parent_path() / next; // just `next` where that is absolute
+  }
+  return false;
+}
+
+} // namespace internal
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL File_transaction::~File_transaction()
 {
@@ -27,6 +45,8 @@ File_transaction::stage(const std::string& target, const std::string& contents)
   Staged_file file;
   Write_result result = choose_names(target, file);
   if(!result.ok()) return result;
+  for(const Staged_file& other : files_)
+    if(other.target == file.target) return refuse(target, "another output has the same name");
   std::ofstream stream(file.temporary, std::ios::binary);
   if(!stream) return refuse(target, "its folder does not exist or cannot be written to");
   files_.push_back(file);
@@ -76,6 +96,13 @@ File_transaction::choose_names(const std::string& target, Staged_file& file)
       return refuse(target, "it exists and may not be changed");
     file.target = std::filesystem::canonical(target, error);
     if(error) return refuse(target, error.message());
+  } else {
+    if(!internal::follow_links(file.target))
+      return refuse(target, "its symbolic links go in a circle");
+    // the same for all names of a file, like that of one which is there
+    const auto name =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(file.target, error), error);
+    if(!error) file.target = name;
   }
   std::random_device random;
   do {

@@ -50,6 +50,7 @@ struct Prepared_run
   template <typename NamedParameters>
   void decode_limits(const NamedParameters& np)
   {
+    check_iterations(np);
     aim = decode_aim(np);
     s.size.scale_by(scale_of(aim));
     s.workers.use_threads(decode_concurrency(np));

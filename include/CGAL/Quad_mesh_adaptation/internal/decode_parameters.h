@@ -11,6 +11,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -22,7 +23,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 
@@ -44,18 +44,13 @@ Size_sampler make_sampler(const SizingField& sizing)
 
 inline std::string describe(const Bad_projection& e)
 {
-  std::ostringstream text;
-  text << "the projector gave no finite point for (" << e.where.x() << ", " << e.where.y() << ", "
-       << e.where.z() << ")";
-  return text.str();
+  return "the projector gave no finite point for " + point_text(e.where);
 }
 
 inline std::string describe(const Bad_size& e)
 {
-  std::ostringstream text;
-  text << "the size at (" << e.where.x() << ", " << e.where.y() << ", " << e.where.z() << ") is "
-       << e.value << ", not a positive finite number";
-  return text.str();
+  return "the size at " + point_text(e.where) + " is " + number_text(e.value) +
+         ", not a positive finite number";
 }
 
 // Plain values of all named parameters, decoded once.
@@ -147,9 +142,8 @@ double decode_max_distance(const NamedParameters& np)
   const double d = parameters::choose_parameter(parameters::get_parameter(np, max_distance_tag),
                                                 std::numeric_limits<double>::infinity());
   if(d > 0) return d;
-  std::ostringstream text;
-  text << "max_distance(" << d << "): the largest distance must be positive";
-  throw Refused{ Refusal::invalid_parameter, text.str() };
+  throw Refused{ Refusal::invalid_parameter,
+                 "max_distance(" + number_text(d) + "): the largest distance must be positive" };
 }
 
 template <typename T>
@@ -214,7 +208,18 @@ struct is_named_parameters<const T> : is_named_parameters<T>
 {
 };
 
-// At most what an int holds.
+template <typename NamedParameters>
+void check_iterations(const NamedParameters& np)
+{
+  const auto n = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), 0);
+  if constexpr(std::is_signed_v<std::decay_t<decltype(n)>>)
+    if(n < 0)
+      throw Refused{ Refusal::invalid_parameter, "number_of_iterations(" + std::to_string(n) +
+                                                     "): the number of passes is negative" };
+}
+
+// At most what an int holds.  What check_iterations() refuses may be given.
 template <typename NamedParameters>
 std::size_t decode_iterations(const NamedParameters& np,
                               std::size_t usual = default_number_of_iterations)

@@ -5,8 +5,11 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_MESH_FORMATS_H
 
 #include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
+#include <CGAL/Quad_mesh_adaptation/internal/field_names.h>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,16 +22,6 @@ namespace Quad_mesh_adaptation {
 
 namespace internal {
 
-// The shortest text that reads back as the same double, whatever the locale.
-inline void append(std::string& text, double value)
-{
-  if(!std::isfinite(value)) {
-    text += std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
-    return;
-  }
-  char digits[40];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-}
 inline void append(std::string& text, std::size_t value) { text += std::to_string(value); }
 inline void append(std::string& text, Index value)
 {
@@ -63,14 +56,6 @@ inline void append_face(std::string& text, const Polygon_soup::Face& face, bool 
 inline std::string counts(const Polygon_soup& soup)
 {
   return std::to_string(soup.points.size()) + ' ' + std::to_string(soup.faces.size());
-}
-
-inline std::string field_name(const Scalar_field& field)
-{
-  std::string name = field.name.empty() ? "field" : field.name;
-  for(char& c : name)
-    if(!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'))) c = '_';
-  return name;
 }
 
 // Name of the first field that has not as many values as there are entities, or nothing.
@@ -134,16 +119,27 @@ inline void append_ply_values(std::string& text, const std::vector<Scalar_field>
   text += '\n';
 }
 
+inline void append_ply_properties(std::string& text, const std::vector<std::string>& names)
+{
+  for(const std::string& name : names) text += "property double " + name + '\n';
+}
+
+// What holds the number of corners of any face.
+inline const char* ply_length_type(const Polygon_soup& soup)
+{
+  const bool is_small = std::all_of(soup.faces.begin(), soup.faces.end(),
+                                    [](const auto& face) { return face.size() <= 255; });
+  return is_small ? "uchar" : "int";
+}
+
 inline std::string to_ply(const Polygon_soup& soup, const Mesh_fields& fields)
 {
   std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(soup.points.size()) +
                      "\nproperty double x\nproperty double y\nproperty double z\n";
-  for(const Scalar_field& field : fields.vertex)
-    text += "property double " + field_name(field) + '\n';
-  text += "element face " + std::to_string(soup.faces.size()) +
-          "\nproperty list uchar int vertex_indices\n";
-  for(const Scalar_field& field : fields.face)
-    text += "property double " + field_name(field) + '\n';
+  append_ply_properties(text, field_names(fields.vertex, { "x", "y", "z" }));
+  text += "element face " + std::to_string(soup.faces.size()) + "\nproperty list " +
+          ply_length_type(soup) + " int vertex_indices\n";
+  append_ply_properties(text, field_names(fields.face, { "vertex_indices", "vertex_index" }));
   if(!fields.edges.empty())
     text += "element edge " + std::to_string(fields.edges.size()) +
             "\nproperty int vertex1\nproperty int vertex2\n";
@@ -191,9 +187,10 @@ inline void append_legacy_fields(std::string& text, const std::vector<Scalar_fie
                                  const std::string& section)
 {
   if(!fields.empty()) text += section;
-  for(const Scalar_field& field : fields) {
-    text += "SCALARS " + field_name(field) + " double 1\nLOOKUP_TABLE default\n";
-    append_values(text, field.values);
+  const std::vector<std::string> names = field_names(fields);
+  for(std::size_t i = 0; i < fields.size(); ++i) {
+    text += "SCALARS " + names[i] + " double 1\nLOOKUP_TABLE default\n";
+    append_values(text, fields[i].values);
   }
 }
 
@@ -229,9 +226,10 @@ inline std::string vtu_array(const std::string& type, const std::string& name,
 
 inline void append_vtu_fields(std::string& text, const std::vector<Scalar_field>& fields)
 {
-  for(const Scalar_field& field : fields) {
-    text += vtu_array("Float64", field_name(field));
-    append_values(text, field.values);
+  const std::vector<std::string> names = field_names(fields);
+  for(std::size_t i = 0; i < fields.size(); ++i) {
+    text += vtu_array("Float64", names[i]);
+    append_values(text, fields[i].values);
     text += "</DataArray>\n";
   }
 }

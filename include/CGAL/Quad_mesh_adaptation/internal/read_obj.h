@@ -6,11 +6,13 @@
 
 #include <CGAL/Quad_mesh_adaptation/IO/Mesh_fields.h>
 #include <CGAL/Quad_mesh_adaptation/IO/Read_result.h>
+#include <CGAL/Quad_mesh_adaptation/internal/field_names.h>
 #include <CGAL/Quad_mesh_adaptation/internal/file_lines.h>
 #include <CGAL/Quad_mesh_adaptation/internal/polygon_soup.h>
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -61,14 +63,17 @@ private:
 
   int number(Mesh_fields& fields)
   {
-    const std::string both = group_ + (group_.empty() || material_.empty() ? "" : " ") + material_;
-    const auto known = numbers_.emplace(both, int(numbers_.size()));
-    if(known.second) fields.patch_names.push_back(both);
+    const auto known = numbers_.emplace(std::pair(group_, material_), int(numbers_.size()));
+    if(known.second) {
+      const bool both = !group_.empty() && !material_.empty();
+      fields.patch_names.push_back(unused_name(group_ + (both ? " " : "") + material_, names_));
+    }
     return known.first->second;
   }
 
   std::string group_, material_;
-  std::map<std::string, int> numbers_;
+  std::map<std::pair<std::string, std::string>, int> numbers_; // by group and material
+  std::set<std::string> names_;
   bool is_named_ = false;
   int now_ = -1; // number of the patch, -1 if that is not known yet
 };
