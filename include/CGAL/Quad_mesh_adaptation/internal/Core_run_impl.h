@@ -168,8 +168,13 @@ inline double ideal_faces(const Adaptation_state& s, const Input_mesh& in,
   const Size_function size = [&s](const Vec& p) { return s.size.unscaled(p); };
   if(reference) return ideal_number_of_faces(corner_points(*reference), size);
   const auto corners_of = [&](std::size_t k) { return s.corners(Index(k)); }; // as they came
-  return ideal_number_of_faces(Halves_of_faces<decltype(corners_of)>(in.quads.size(), corners_of),
-                               size);
+  std::vector<Integral_and_error> asked(in.quads.size());
+  for(std::size_t k = 0; k < asked.size(); ++k) {
+    const Corners p = corners_of(k);
+    asked[k] = inverse_square_on(p, sizes_of_face(p, size), size);
+  }
+  return ideal_number_on(
+      asked.size(), [&](std::size_t k) { return asked[k]; }, corners_of, size);
 }
 
 inline double mean_square_slope(const Adaptation_state& s, const Input_mesh& in)

@@ -140,8 +140,6 @@ private:
     double d = s_.surface.distance_from(q, enough, hint);
     if(d <= enough && !by_face_.is_careful()) return; // it may be less, but does not matter
     if(d > enough) {
-      // from its own triangles a walk does not stop far off
-      if(!by_face_.is_careful() && is_own_[f]) return to_reference_.note(d, f);
       const Index k = s_.mesh.patch(f);
       const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
       const Vec direction = area_vector(s_.corners(f));

@@ -65,21 +65,18 @@ private:
   Face_sizes sizes_ = {};
 };
 
-// Number of ideal faces on the faces themselves: few are cut, of many it is known what is asked of
-// each.
-template <typename Corners_of, typename Size>
-double ideal_number_on(const Figures_of_faces& figures, const Corners_of& corners_of,
+// Number of ideal faces on n faces themselves: few are cut, of many `asked(k)` tells what is asked
+// of face k.
+template <typename Asked, typename Corners_of, typename Size>
+double ideal_number_on(std::size_t n, const Asked& asked, const Corners_of& corners_of,
                        const Size& size)
 {
-  const std::size_t n = figures.size();
   const Halves_of_faces<Corners_of> halves(n, corners_of);
   if(halves.size() < least_triangles) return ideal_number_of_faces(halves, size);
   Ideal_count<Size> count(size);
-  return count.finish(count.round(
-      n, [&](std::size_t k) { return figures[k].asked; },
-      [&](std::size_t k, std::vector<Triangle>& parts) {
-        for(std::size_t i : { 2 * k, 2 * k + 1 }) append_quarters(halves[i], parts);
-      }));
+  return count.finish(count.round(n, asked, [&](std::size_t k, std::vector<Triangle>& parts) {
+    for(std::size_t i : { 2 * k, 2 * k + 1 }) append_quarters(halves[i], parts);
+  }));
 }
 
 // Shapes and sizes of all faces of a mesh in one sweep: their corners are far apart in memory, and
@@ -116,8 +113,9 @@ void measure_faces(const Corners_of& corners_of, const Size& size, const Strict&
   meter.quality().put_into(m);
   m.size_ratio = at_centre.result();
   m.strict_size_ratio = strictly.result();
+  const auto asked = [&](std::size_t k) { return figures[k].asked; };
   m.ideal_number_of_faces = reference_triangles ? ideal_number_of_faces(*reference_triangles, size)
-                                                : ideal_number_on(figures, corners_of, size);
+                                                : ideal_number_on(n, asked, corners_of, size);
   m.efficiency = m.ideal_number_of_faces / double(n);
 }
 
