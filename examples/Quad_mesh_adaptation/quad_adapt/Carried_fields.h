@@ -82,14 +82,16 @@ private:
   }
 
   // Names of those that are normals, colours or texture coordinates, and not numbers to
-  // interpolate; only where all of a kind are there.
+  // interpolate; only where all of a kind are there.  `u` and `v` are displacements more often.
   static std::set<std::string> looks(const std::vector<QMA::Scalar_field>& fields,
                                      std::set<std::string>& all)
   {
-    static const std::vector<std::vector<std::string>> kinds = {
-      { "nx", "ny", "nz" }, { "red", "green", "blue" },   { "red", "green", "blue", "alpha" },
-      { "s", "t" },         { "texture_u", "texture_v" }, { "u", "v" }
-    };
+    static const std::vector<std::vector<std::string>> kinds = { { "nx", "ny", "nz" },
+                                                                 { "red", "green", "blue" },
+                                                                 { "red", "green", "blue",
+                                                                   "alpha" },
+                                                                 { "s", "t" },
+                                                                 { "texture_u", "texture_v" } };
     std::set<std::string> names;
     for(const std::vector<std::string>& kind : kinds)
       if(std::all_of(kind.begin(), kind.end(), [&](const std::string& name) {
