@@ -195,7 +195,7 @@ private:
     for(Index v : m.vertices()) {
       Vertex_record& r = m.vertex(v);
       const Vec given = r.p;
-      if(is_own && s_.is_own_vertex(v) && has_own_corner(v)) {
+      if(is_own && s_.is_own_vertex(v) && has_corner(r.hint, v)) {
         r.normal = s_.surface.normal(r.hint);
         r.h = s_.size.at(r.p);
         continue;
@@ -206,18 +206,6 @@ private:
       if(r.frozen) r.p = given;
       if(s_.surface.is_planar()) r.normal = s_.surface.normal(0);
     }
-  }
-
-  // Is vertex v a corner of the half of a face that its hint names, or of the other?  Then that is
-  // its hint.
-  bool has_own_corner(Index v)
-  {
-    Index& hint = s_.mesh.vertex(v).hint;
-    const Index other = hint ^ 1;
-    if(has_corner(hint, v)) return true;
-    if(!has_corner(other, v)) return false;
-    hint = other;
-    return true;
   }
 
   bool has_corner(Index triangle, Index v) const
