@@ -216,8 +216,7 @@ struct Adaptation_state : Run_record, Sized_mesh
   }
 
   // The triangle of the reference surface from where to look for a new node at p inside face f:
-  // that of a corner that lies on the surface, else the nearest one on the patch of f.  A corner of
-  // a neighbour would spare the tree, but from there walks are lost in folds.
+  // that of a corner that lies on the surface, else the nearest one on the patch of f.
   Index triangle_near(Index f, const Vec& p) const
   {
     for(Index v : mesh.quad(f))

@@ -212,8 +212,7 @@ private:
   std::optional<Start> start_;
   std::optional<Mesh_keeper> mesh_;
   Index near_face_ = -1;
-  std::vector<char>
-      near_; // nodes within three rings of that face, while the mesh is that of start_
+  std::vector<char> near_; // nodes within three rings of it, while the mesh is that of start_
 };
 
 } // namespace internal
