@@ -216,14 +216,27 @@ struct Adaptation_state : Run_record, Sized_mesh
   }
 
   // The triangle of the reference surface from where to look for a new node at p inside face f:
-  // that of a corner that lies on the surface, else the nearest one on the patch of f.
+  // that of a corner that lies on the surface, of f or of a neighbour within its patch, else the
+  // nearest one on the patch, for which the tree may have to be built.
   Index triangle_near(Index f, const Vec& p) const
   {
-    for(Index v : mesh.quad(f))
-      if(mesh.vertex(v).carrier == Carrier::surface) return mesh.vertex(v).hint;
+    Index hint = triangle_at_corner(f);
+    for(Index h = 4 * f; h < 4 * f + 4 && hint < 0; ++h)
+      if(!mesh.is_border(h) && mesh.curve(h) < 0)
+        hint = triangle_at_corner(mesh.face(mesh.opposite(h)));
+    if(hint >= 0) return hint;
     const Index k = mesh.patch(f);
     const Index patch = k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
     return surface.find(p, patch, area_vector(corners(f)));
+  }
+
+private:
+  Index triangle_at_corner(Index f) const
+  {
+    for(Index v : mesh.quad(f))
+      if(mesh.vertex(v).carrier == Carrier::surface && mesh.vertex(v).hint >= 0)
+        return mesh.vertex(v).hint;
+    return -1;
   }
 };
 

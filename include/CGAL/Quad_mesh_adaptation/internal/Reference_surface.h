@@ -178,7 +178,7 @@ public:
       if(patch >= 0 && mesh_.patch(t) != patch) continue;
       const std::array<Vec, 3> c = triangle(t);
       double off = 0; // squared distance from the box of the triangle
-      for(int i = 0; i < 3; ++i) {
+      for(int i = 0; i < 3 && off < least; ++i) {
         const double x = (std::max)({ (std::min)({ c[0][i], c[1][i], c[2][i] }) - p[i],
                                       p[i] - (std::max)({ c[0][i], c[1][i], c[2][i] }), 0. });
         off += x * x;
