@@ -126,6 +126,15 @@ TEST(Quality_floor, HoldsOnSmallRims)
 // Between the features of fingers and toes, in a mesh that is too large to be copied often.
 TEST(Quality_floor, HoldsInFolds) { expect_good_shapes(read_shape("makehuman_body"), 2); }
 
+// Small faces have room for good shapes in folds as well, if their nodes look for the surface in
+// the right one.
+TEST(Quality_floor, SmallFacesInFoldsAreGood)
+{
+  Mesh mesh;
+  const Adaptation_report report = adapt(read_shape("makehuman_body"), 0.5, mesh);
+  EXPECT_TRUE(report.poor_faces.empty()) << report.after.min_scaled_jacobian;
+}
+
 // A regular mesh that is a little too large everywhere must not get irregular nodes everywhere.
 TEST(Quality_floor, AlmostFineEnoughStaysRegular)
 {
