@@ -190,8 +190,7 @@ inline bool is_rehearsed(double expected_faces, std::size_t given_faces)
   return expected_faces <= most_rehearsed_faces && double(given_faces) <= 20 * most_rehearsed_faces;
 }
 
-CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, bool keeps_symmetry,
-                                                          std::size_t iterations, bool is_quick)
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, bool keeps_symmetry)
 {
   Adaptation_state& s = run.s;
   const double slope = mean_square_slope(s, run.in);
@@ -200,9 +199,11 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, boo
   const double ideal = ideal_faces(s, run.in, run.reference);
   const double expected = expected_faces(s, ideal, slope, scale_of(run.aim));
   if(!is_rehearsed(expected, run.in.quads.size())) return expected;
-  adapt_within_bound(
-      run, run.mirror_goal(keeps_symmetry, ideal, true),
-      [=](Adaptation_state& part) { run_default_schedule(part, iterations, is_quick); });
+  adapt_within_bound(run, run.mirror_goal(keeps_symmetry, ideal, true),
+                     [&run](Adaptation_state& part) {
+                       run_default_schedule(part, run.iterations_or(default_number_of_iterations),
+                                            run.ingredients);
+                     });
   return double(s.mesh.number_of_faces());
 }
 

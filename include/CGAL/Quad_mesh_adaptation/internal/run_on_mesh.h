@@ -13,6 +13,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,9 @@ void put_patches(const Adaptation_state& s, const Export& written,
   for(Index f : s.mesh.faces())
     put(fpm, written.face_of(f), patches[s.given_patch[s.mesh.patch(f)]]);
 }
+
+// What a public function does to the state of a mesh, or of a part of it; `asked`: of the whole.
+using Public_algorithm = std::function<void(Adaptation_state&, const Prepared_run& asked)>;
 
 // What every public function does around its algorithm: import and check, build the state, run the
 // algorithm, measure, and only then write back.
@@ -48,11 +52,11 @@ public:
 
   template <typename FaceRange, typename SizingField>
   void operator()(const FaceRange& faces, bool is_region, const SizingField& sizing,
-                  const State_algorithm& algorithm)
+                  const Public_algorithm& algorithm)
   {
     prepare(faces, is_region, sizing);
     core_.measure_input();
-    core_.work(decode_symmetry(np_), algorithm);
+    core_.work(decode_symmetry(np_), [&](Adaptation_state& s) { algorithm(s, core_.run); });
     core_.measure_result();
     core_.judge();
     write_back();
@@ -122,7 +126,7 @@ private:
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters>
 Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const SizingField& sizing,
                               QuadMesh& mesh, const NamedParameters& np, const Call_kind& kind,
-                              const State_algorithm& algorithm)
+                              const Public_algorithm& algorithm)
 {
   Adaptation_report report;
   Phase_clock clock;
