@@ -16,8 +16,8 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
@@ -135,15 +135,21 @@ TEST(Refusals, NonManifoldVertex)
 TEST(Refusals, BadParameters)
 {
   const double infinite = std::numeric_limits<double>::infinity();
-  for(double angle : { 0., -3., 180.5, 200., infinite, std::nan("") }) {
+  const std::vector<std::pair<double, std::string>> angles = { { 0., "0" },
+                                                               { -3., "-3" },
+                                                               { 180.5, "180.5" },
+                                                               { 180.00000000000003,
+                                                                 "180.00000000000003" },
+                                                               { 200., "200" },
+                                                               { infinite, "inf" },
+                                                               { std::nan(""), "nan" } };
+  for(const auto& [angle, text] : angles) {
     Mesh mesh = plate();
     const Mesh before = mesh;
     const Adaptation_report r = QMA::adapt_quad_mesh(0.5, mesh, QMA::feature_angle(angle));
     EXPECT_EQ(r.status, Adaptation_status::input_refused);
     EXPECT_EQ(r.reason, Refusal::invalid_parameter);
-    std::ostringstream value;
-    value << "feature_angle(" << angle << ")";
-    EXPECT_NE(r.message.find(value.str()), std::string::npos) << r.message;
+    EXPECT_NE(r.message.find("feature_angle(" + text + ")"), std::string::npos) << r.message;
     EXPECT_TRUE(zoo_mesh::is_same(mesh, before));
   }
 }

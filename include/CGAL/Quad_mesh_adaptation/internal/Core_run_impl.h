@@ -13,11 +13,11 @@
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
 #include <CGAL/Quad_mesh_adaptation/most_rehearsed_faces.h>
 
 #include <cstddef>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,9 +29,8 @@ namespace internal {
 inline void refuse_too_many(double faces, const std::string& who = "the sizes ask")
 {
   if(!(faces > 1e8)) return;
-  std::ostringstream text;
-  text << who << " for about " << faces << " faces, more than the limit of 1e8";
-  throw Refused{ Refusal::invalid_size, text.str(), -1, -1 };
+  throw Refused{ Refusal::invalid_size,
+                 who + " for about " + rounded_text(faces) + " faces, more than the limit of 1e8" };
 }
 
 // Tells the caller where the sizes grow faster than quads can follow.
