@@ -203,6 +203,8 @@ TEST(Refused_sizes, Numbers)
     EXPECT_EQ(r.status, Adaptation_status::sizes_refused) << bad;
     EXPECT_EQ(r.reason, Refusal::invalid_size) << bad;
     EXPECT_FALSE(r.message.empty());
+    EXPECT_EQ(r.message.find(" at "), std::string::npos) << r.message;
+    EXPECT_FALSE(r.place) << bad << " is wrong everywhere";
     EXPECT_TRUE(zoo_mesh::is_same(mesh, before)) << bad;
   }
 }
@@ -223,6 +225,10 @@ TEST(Refused_sizes, Functions)
       EXPECT_EQ(r.status, Adaptation_status::sizes_refused) << bad << ", radius " << radius;
       EXPECT_EQ(r.reason, Refusal::invalid_size);
       EXPECT_NE(r.message.find("size at ("), std::string::npos) << r.message;
+      ASSERT_TRUE(r.place);
+      const auto [x, y, z] = *r.place;
+      EXPECT_LT(std::hypot(x - 3.1, y - 1.9), radius) << "the size is not bad there";
+      EXPECT_EQ(z, 0);
       EXPECT_TRUE(zoo_mesh::is_same(mesh, before)) << bad;
     }
 }

@@ -38,7 +38,7 @@ Size_sampler make_sampler(const SizingField& sizing)
   double constant = 0; // is none
   if constexpr(std::is_arithmetic_v<SizingField>) {
     constant = double(sizing);
-    if(!(std::isfinite(constant) && constant > 0)) throw Bad_size{ Vec(0, 0, 0), constant };
+    if(!(std::isfinite(constant) && constant > 0)) throw Bad_size{ constant, {} };
   }
   return Size_sampler(size_function<Point>(sizing), constant);
 }
@@ -50,8 +50,8 @@ inline std::string describe(const Bad_projection& e)
 
 inline std::string describe(const Bad_size& e)
 {
-  return "the size at " + point_text(e.where) + " is " + number_text(e.value) +
-         ", not a positive finite number";
+  return "the size" + (e.where ? " at " + point_text(*e.where) : std::string()) + " is " +
+         number_text(e.value) + ", not a positive finite number";
 }
 
 // Plain values of all named parameters, decoded once.

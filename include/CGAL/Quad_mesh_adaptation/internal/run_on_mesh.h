@@ -13,6 +13,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -75,6 +76,22 @@ public:
     report_.message = "vertex " + std::to_string(report_.entity) + " " + e.message;
   }
 
+  void put_refusal(const Bad_projection& e)
+  {
+    report_.status = Adaptation_status::input_refused;
+    report_.reason = Refusal::invalid_parameter;
+    report_.message = describe(e);
+    put_place(e.where);
+  }
+
+  void put_refusal(const Bad_size& e)
+  {
+    report_.status = Adaptation_status::sizes_refused;
+    report_.reason = Refusal::invalid_size;
+    report_.message = describe(e);
+    if(e.where) put_place(*e.where);
+  }
+
 private:
   using Decoded = Decoded_parameters<QuadMesh, NamedParameters>;
   using Point = typename Decoded::Point;
@@ -97,6 +114,8 @@ private:
     run.template build<Point>(np_);
     core_.describe_input();
   }
+
+  void put_place(const Vec& p) { report_.place = std::array<double, 3>{ p.x(), p.y(), p.z() }; }
 
   void write_back()
   {
@@ -136,13 +155,9 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
   } catch(const Refused& e) {
     run.put_refusal(e);
   } catch(const Bad_projection& e) {
-    report.status = Adaptation_status::input_refused;
-    report.reason = Refusal::invalid_parameter;
-    report.message = describe(e);
+    run.put_refusal(e);
   } catch(const Bad_size& e) {
-    report.status = Adaptation_status::sizes_refused;
-    report.reason = Refusal::invalid_size;
-    report.message = describe(e);
+    run.put_refusal(e);
   } catch(const Cancelled&) {
     report.status = Adaptation_status::cancelled;
     report.message = "cancelled by the caller";
