@@ -212,5 +212,6 @@ TEST(Quality_floor, HeldNodesAreNamed)
       QMA::adapt_quad_mesh(1.2, mesh, CGAL::parameters::vertex_is_constrained_map(held));
   ASSERT_TRUE(report.has_valid_mesh()) << report.message;
   expect_true(report, mesh);
+  EXPECT_FALSE(report.poor_faces.empty());
   for(const Poor_face& p : report.poor_faces) EXPECT_EQ(p.limit, Shape_limit::held_nodes);
 }
