@@ -76,7 +76,7 @@ Outcome adapt(const Case& c, const Variant& variant, const NamedParameters& np)
   constexpr std::size_t most_passes = 40;
   Outcome result;
   quality::Mesh mesh = c.initial;
-  const auto algorithm = [&](core::Adaptation_state& s) {
+  const auto algorithm = [&](core::Adaptation_state& s, const core::Prepared_run&) {
     core::Schedule_ingredients use;
     variant.change(s, use);
     const std::clock_t start = std::clock();

@@ -21,14 +21,14 @@ template <typename FaceRange, typename SizingField, typename QuadMesh, typename 
 Adaptation_report adapt_faces(const FaceRange& faces, bool is_region, const SizingField& sizing,
                               QuadMesh& mesh, const NamedParameters& np)
 {
-  const std::size_t iterations = decode_iterations(np);
-  const bool paper = is_paper_schedule(np), is_quick = is_quick_effort(np);
+  const bool paper = is_paper_schedule(np);
   return run_on_mesh(faces, is_region, sizing, mesh, np, Call_kind{ paper, !paper, !paper },
-                     [&](Adaptation_state& s) {
+                     [paper](Adaptation_state& s, const Prepared_run& asked) {
+                       const std::size_t n = asked.iterations_or(default_number_of_iterations);
                        if(paper)
-                         run_paper_schedule(s, iterations);
+                         run_paper_schedule(s, n);
                        else
-                         run_default_schedule(s, iterations, is_quick);
+                         run_default_schedule(s, n, asked.ingredients);
                      });
 }
 

@@ -16,8 +16,8 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace QMA = CGAL::Quad_mesh_adaptation;
@@ -135,15 +135,21 @@ TEST(Refusals, NonManifoldVertex)
 TEST(Refusals, BadParameters)
 {
   const double infinite = std::numeric_limits<double>::infinity();
-  for(double angle : { 0., -3., 180.5, 200., infinite, std::nan("") }) {
+  const std::vector<std::pair<double, std::string>> angles = { { 0., "0" },
+                                                               { -3., "-3" },
+                                                               { 180.5, "180.5" },
+                                                               { 180.00000000000003,
+                                                                 "180.00000000000003" },
+                                                               { 200., "200" },
+                                                               { infinite, "inf" },
+                                                               { std::nan(""), "nan" } };
+  for(const auto& [angle, text] : angles) {
     Mesh mesh = plate();
     const Mesh before = mesh;
     const Adaptation_report r = QMA::adapt_quad_mesh(0.5, mesh, QMA::feature_angle(angle));
     EXPECT_EQ(r.status, Adaptation_status::input_refused);
     EXPECT_EQ(r.reason, Refusal::invalid_parameter);
-    std::ostringstream value;
-    value << "feature_angle(" << angle << ")";
-    EXPECT_NE(r.message.find(value.str()), std::string::npos) << r.message;
+    EXPECT_NE(r.message.find("feature_angle(" + text + ")"), std::string::npos) << r.message;
     EXPECT_TRUE(zoo_mesh::is_same(mesh, before));
   }
 }
@@ -197,6 +203,8 @@ TEST(Refused_sizes, Numbers)
     EXPECT_EQ(r.status, Adaptation_status::sizes_refused) << bad;
     EXPECT_EQ(r.reason, Refusal::invalid_size) << bad;
     EXPECT_FALSE(r.message.empty());
+    EXPECT_EQ(r.message.find(" at "), std::string::npos) << r.message;
+    EXPECT_FALSE(r.place) << bad << " is wrong everywhere";
     EXPECT_TRUE(zoo_mesh::is_same(mesh, before)) << bad;
   }
 }
@@ -217,6 +225,10 @@ TEST(Refused_sizes, Functions)
       EXPECT_EQ(r.status, Adaptation_status::sizes_refused) << bad << ", radius " << radius;
       EXPECT_EQ(r.reason, Refusal::invalid_size);
       EXPECT_NE(r.message.find("size at ("), std::string::npos) << r.message;
+      ASSERT_TRUE(r.place);
+      const auto [x, y, z] = *r.place;
+      EXPECT_LT(std::hypot(x - 3.1, y - 1.9), radius) << "the size is not bad there";
+      EXPECT_EQ(z, 0);
       EXPECT_TRUE(zoo_mesh::is_same(mesh, before)) << bad;
     }
 }

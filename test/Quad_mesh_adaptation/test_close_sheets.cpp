@@ -213,6 +213,7 @@ TEST(Close_sheets, ThinBoxWithoutFeatures)
     const Adapted a = adapt(box, size, QMA::feature_angle(180));
     // sixteen times as long as the wall is thick, faces cut the corners of the outline
     EXPECT_GT(area(a.shape), (size < 1 ? 0.9 : 0.75) * area(box)) << size;
+    std::size_t inner = 0;
     for(const Quad& q : a.shape.quads) {
       const Vec c = centre_of(a.shape, q);
       if(c.x() < 2.5 || c.x() > 5.5 || c.y() < 2.5 || c.y() > 5.5) continue;
@@ -221,8 +222,10 @@ TEST(Close_sheets, ThinBoxWithoutFeatures)
         const Vec& p = a.shape.points[v];
         const bool is_inner = p.x() > 1 && p.x() < 7 && p.y() > 1 && p.y() < 7;
         EXPECT_TRUE(!is_inner || std::abs(p.z() - z) < 1e-12) << size;
+        inner += is_inner;
       }
     }
+    EXPECT_GT(inner, 30u) << size;
   }
 }
 

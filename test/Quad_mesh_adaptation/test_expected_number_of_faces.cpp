@@ -59,6 +59,7 @@ Size uniform(double h)
 // Few faces are tried and counted, on all of the mesh or on a mirrored part.
 TEST(Expected_number_of_faces, OfSmallOutcomes)
 {
+  int rehearsed = 0;
   for(const shape_zoo::Shape& shape : shape_zoo::all())
     for(double factor : { 1.4, 3. }) {
       SCOPED_TRACE(shape.name + " x " + std::to_string(factor));
@@ -68,10 +69,12 @@ TEST(Expected_number_of_faces, OfSmallOutcomes)
       const double expected = QMA::expected_number_of_faces(h, given);
       const QMA::Adaptation_report report = QMA::adapt_quad_mesh(h, mesh);
       if(report.expected_number_of_faces <= QMA::most_rehearsed_faces) {
+        ++rehearsed;
         EXPECT_EQ(expected, double(report.after.faces));
       }
       EXPECT_EQ(zoo_mesh::shape_of(given).quads, zoo_mesh::shape_of(mesh_of(shape)).quads);
     }
+  EXPECT_GT(rehearsed, 10);
 }
 
 TEST(Expected_number_of_faces, OfSmallOutcomesWithParameters)
@@ -110,6 +113,16 @@ TEST(Expected_number_of_faces, OfSmallOutcomesWithMoreParameters)
   expect_same("distance", sphere, 0.8, QMA::max_distance(0.02));
   expect_same("smooth", torus, 0.5, QMA::smooth_reference(true));
   expect_same("iterations", torus, 0.3, CGAL::parameters::number_of_iterations(1));
+  const Mesh irregular = mesh_of(shape_zoo::irregular());
+  const auto quick = QMA::effort(QMA::Effort::quick);
+  int differing = 0; // else this does not show that the effort counts
+  for(double factor : { 0.83, 1.3, 1.8 }) {
+    const double h = factor * mean_edge(irregular);
+    expect_same("effort", irregular, h, quick);
+    differing += QMA::expected_number_of_faces(h, irregular, quick) !=
+                 QMA::expected_number_of_faces(h, irregular);
+  }
+  EXPECT_GT(differing, 0);
 }
 
 TEST(Expected_number_of_faces, OfARegion)

@@ -110,8 +110,9 @@ TEST(Row_insertion, FrozenBordersAreNotSplit)
   for(Index h = 0; h < 4 * free.mesh.face_end(); ++h)
     if(free.mesh.is_border(h))
       o.frozen.insert(std::minmax(free.mesh.origin(h), free.mesh.target(h)));
-  Adaptation_state s = make_state(plate, o);
+  Adaptation_state s = make_state(plate, o), unfrozen = make_state(plate, of_size(0.8));
   EXPECT_EQ(core::insert_rows(s), 0u);
+  EXPECT_GT(core::insert_rows(unfrozen), 0u);
 }
 
 // The same through the whole schedule.

@@ -67,14 +67,17 @@ TEST(Shape_zoo, ShapesAreWhatTheyClaim)
 
 TEST(Shape_zoo, ClosedShapesAreOrientedOutwards)
 {
+  int closed = 0;
   for(const auto& s : shape_zoo::all()) {
     if(facts_of(s).boundary_edges != 0) continue;
+    ++closed;
     double volume = 0; // of the tetrahedra over two triangles of each face
     for(const auto& q : s.quads)
       for(int k : { 1, 2 })
         volume += CGAL::cross_product(s.points[q[0]], s.points[q[k]]) * s.points[q[k + 1]] / 6;
     EXPECT_GT(volume, 0) << s.name;
   }
+  EXPECT_GE(closed, 3);
 }
 
 TEST(Shape_zoo, FlatShapesLookUp)

@@ -251,8 +251,13 @@ TEST(Projector, Refusals)
     EXPECT_NE(r.message, "");
     EXPECT_TRUE(zoo_mesh::is_same(mesh, before));
   };
-  const auto nan = [](const Point&) { return Point(0, std::nan(""), 0); };
-  expect_refused(QMA::adapt_quad_mesh(0.2, mesh, QMA::projector(nan)));
+  const auto nan_below = [](const Point& p) {
+    return p.z() < -0.9 ? Point(0, std::nan(""), 0) : p;
+  };
+  const QMA::Adaptation_report below = QMA::adapt_quad_mesh(0.2, mesh, QMA::projector(nan_below));
+  expect_refused(below);
+  ASSERT_TRUE(below.place);
+  EXPECT_LT((*below.place)[2], -0.9);
   const auto same = [](const Point& p) { return p; };
   expect_refused(
       QMA::adapt_quad_mesh(0.2, mesh, QMA::projector(same, QMA::smooth_reference(true))));

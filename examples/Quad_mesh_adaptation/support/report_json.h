@@ -90,6 +90,7 @@ inline nlohmann::ordered_json to_json(const CGAL::Quad_mesh_adaptation::Adaptati
            { "reason", name_of(report.reason) },
            { "message", report.message },
            { "entity", report.entity },
+           { "place", report.place ? nlohmann::ordered_json(*report.place) : nullptr },
            { "expected_number_of_faces", report.expected_number_of_faces },
            { "advice", report.advice },
            { "size_growth", to_json(report.size_growth) },

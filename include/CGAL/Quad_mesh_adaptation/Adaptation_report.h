@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,8 @@ enum class Adaptation_status
   sizes_not_met, ///< a valid mesh was made, but some faces are larger than asked or farther from
                  ///< the reference than `max_distance()`; see `message`
   input_refused, ///< the mesh cannot be adapted; `reason` and `entity` say why and where
-  sizes_refused, ///< the sizing function gave a value that is not a positive finite number
+  sizes_refused, ///< the sizing function gave a value that is not a positive finite number, at
+                 ///< `place`, or sizes ask for too many faces
   cancelled      ///< the visitor or the callback asked to stop
 };
 
@@ -54,6 +56,9 @@ struct Adaptation_report
   /// (a vertex or a face, as `message` says; of the reference surface where that is refused); -1
   /// when no single entity is to blame.
   long entity = -1;
+  /// The point at which the sizing function or a projector gave no value to work with, as
+  /// coordinates; nothing when another reason, or a size that is a number, was refused.
+  std::optional<std::array<double, 3>> place;
 
   /// Of the input, with its nodes on the reference if there is a separate one; filled unless the
   /// input or the sizes were refused.  Of the result; filled where `has_valid_mesh()`.

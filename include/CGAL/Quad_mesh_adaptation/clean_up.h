@@ -24,10 +24,11 @@ template <typename SizingField, typename QuadMesh,
 Adaptation_report clean_up(const SizingField& sizing, QuadMesh& mesh,
                            const NamedParameters& np = parameters::default_values())
 {
-  const int passes = int(internal::decode_iterations(np, 10));
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ false, false, true },
-      [passes](internal::Adaptation_state& s) { internal::run_clean_up(s, passes); });
+      [](internal::Adaptation_state& s, const internal::Prepared_run& asked) {
+        internal::run_clean_up(s, int(asked.iterations_or(10)));
+      });
 }
 
 } // namespace Quad_mesh_adaptation

@@ -29,7 +29,9 @@ Adaptation_report coarsen(const SizingField& sizing, QuadMesh& mesh,
   const bool paper = internal::is_paper_schedule(np);
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ paper, false, false },
-      [paper](internal::Adaptation_state& s) { internal::run_coarsening(s, paper); });
+      [paper](internal::Adaptation_state& s, const internal::Prepared_run&) {
+        internal::run_coarsening(s, paper);
+      });
 }
 
 } // namespace Quad_mesh_adaptation

@@ -29,9 +29,11 @@ template <typename SizingField, typename QuadMesh,
 Adaptation_report coarsen_boundary(const SizingField& sizing, QuadMesh& mesh,
                                    const NamedParameters& np = parameters::default_values())
 {
-  return internal::run_on_mesh(
-      faces(mesh), false, sizing, mesh, np, internal::Call_kind{ true, false, false },
-      [](internal::Adaptation_state& s) { internal::run_boundary_coarsening(s); });
+  return internal::run_on_mesh(faces(mesh), false, sizing, mesh, np,
+                               internal::Call_kind{ true, false, false },
+                               [](internal::Adaptation_state& s, const internal::Prepared_run&) {
+                                 internal::run_boundary_coarsening(s);
+                               });
 }
 
 } // namespace Quad_mesh_adaptation

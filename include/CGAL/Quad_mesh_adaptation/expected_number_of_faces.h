@@ -41,7 +41,7 @@ double expected_number_of_faces(const FaceRange& faces, bool is_region, const Si
         import(mesh, vpm, ecm, vcm, efm, fpm);
     import(faces, is_region, run.in, descriptors);
     run.build<Point>(np);
-    return foretold_faces(run, decode_symmetry(np), decode_iterations(np), is_quick_effort(np));
+    return foretold_faces(run, decode_symmetry(np));
   } catch(const Refused& e) {
     throw std::invalid_argument("expected_number_of_faces: " + e.message);
   } catch(const Bad_projection& e) {

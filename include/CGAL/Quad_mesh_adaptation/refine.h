@@ -7,8 +7,6 @@
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/run_on_mesh.h>
 
-#include <cstddef>
-
 namespace CGAL {
 namespace Quad_mesh_adaptation {
 
@@ -31,10 +29,11 @@ template <typename SizingField, typename QuadMesh,
 Adaptation_report refine(const SizingField& sizing, QuadMesh& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
-  const std::size_t passes = internal::decode_iterations(np);
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind{ false, false, true },
-      [passes](internal::Adaptation_state& s) { internal::run_refinement(s, passes); });
+      [](internal::Adaptation_state& s, const internal::Prepared_run& asked) {
+        internal::run_refinement(s, asked.iterations_or(default_number_of_iterations));
+      });
 }
 
 } // namespace Quad_mesh_adaptation

@@ -23,10 +23,11 @@ template <typename SizingField, typename QuadMesh,
 Adaptation_report smooth(const SizingField& sizing, QuadMesh& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
-  const int sweeps = int(internal::decode_iterations(np, 10));
   return internal::run_on_mesh(
       faces(mesh), false, sizing, mesh, np, internal::Call_kind(),
-      [sweeps](internal::Adaptation_state& s) { internal::run_smoothing(s, sweeps); });
+      [](internal::Adaptation_state& s, const internal::Prepared_run& asked) {
+        internal::run_smoothing(s, int(asked.iterations_or(10)));
+      });
 }
 
 } // namespace Quad_mesh_adaptation

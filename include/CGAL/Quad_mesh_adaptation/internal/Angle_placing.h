@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ANGLE_PLACING_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
+#include <CGAL/Quad_mesh_adaptation/internal/huge_nodes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/nodes_around.h>
 #include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
@@ -47,9 +48,8 @@ private:
 
   void place_within(Index f, int rings)
   {
-    constexpr std::size_t very_many = 100; // in a huge fan, where this does not help
     collect(f, rings);
-    if(nodes_.size() > very_many) return;
+    if(nodes_.size() > std::size_t(boundless_fan)) return; // about such a fan
     std::vector<Vertex_record> before;
     for(Index v : nodes_) before.push_back(s_.mesh.vertex(v));
     const std::size_t poor = number_poor();

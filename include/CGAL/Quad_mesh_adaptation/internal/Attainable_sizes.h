@@ -17,7 +17,9 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// A curve has one edge at least, a closed one three.
+// To foretell by, a curve has one edge at least, a closed one three.  Operations leave a closed one
+// four, see Closed_curve_check, but sizes from here are no bound and their factors are fitted: with
+// four, numbers of faces were foretold worse, 8.9 % off instead of 7.9 on average.
 inline double fewest_edges(const Feature_curve& c) { return c.is_closed() ? 3. : 1.; }
 
 // Sizes at vertices of an input that its faces can have at most.  Two things hold them small:

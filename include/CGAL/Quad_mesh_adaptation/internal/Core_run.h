@@ -64,8 +64,7 @@ private:
 
 // What expected_number_of_faces() returns: the formula's number or, where few faces are expected,
 // that of a trial run.
-CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, bool keeps_symmetry,
-                                                          std::size_t iterations, bool is_quick);
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, bool keeps_symmetry);
 
 } // namespace internal
 } // namespace Quad_mesh_adaptation

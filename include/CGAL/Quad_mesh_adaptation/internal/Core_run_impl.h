@@ -13,11 +13,11 @@
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
 #include <CGAL/Quad_mesh_adaptation/most_rehearsed_faces.h>
 
 #include <cstddef>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,9 +29,8 @@ namespace internal {
 inline void refuse_too_many(double faces, const std::string& who = "the sizes ask")
 {
   if(!(faces > 1e8)) return;
-  std::ostringstream text;
-  text << who << " for about " << faces << " faces, more than the limit of 1e8";
-  throw Refused{ Refusal::invalid_size, text.str(), -1, -1 };
+  throw Refused{ Refusal::invalid_size,
+                 who + " for about " + rounded_text(faces) + " faces, more than the limit of 1e8" };
 }
 
 // Tells the caller where the sizes grow faster than quads can follow.
@@ -190,8 +189,7 @@ inline bool is_rehearsed(double expected_faces, std::size_t given_faces)
   return expected_faces <= most_rehearsed_faces && double(given_faces) <= 20 * most_rehearsed_faces;
 }
 
-CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, bool keeps_symmetry,
-                                                          std::size_t iterations, bool is_quick)
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, bool keeps_symmetry)
 {
   Adaptation_state& s = run.s;
   const double slope = mean_square_slope(s, run.in);
@@ -200,9 +198,11 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double foretold_faces(Prepared_run& run, boo
   const double ideal = ideal_faces(s, run.in, run.reference);
   const double expected = expected_faces(s, ideal, slope, scale_of(run.aim));
   if(!is_rehearsed(expected, run.in.quads.size())) return expected;
-  adapt_within_bound(
-      run, run.mirror_goal(keeps_symmetry, ideal, true),
-      [=](Adaptation_state& part) { run_default_schedule(part, iterations, is_quick); });
+  adapt_within_bound(run, run.mirror_goal(keeps_symmetry, ideal, true),
+                     [&run](Adaptation_state& part) {
+                       run_default_schedule(part, run.iterations_or(default_number_of_iterations),
+                                            run.ingredients);
+                     });
   return double(s.mesh.number_of_faces());
 }
 

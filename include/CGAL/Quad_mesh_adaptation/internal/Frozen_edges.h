@@ -7,12 +7,12 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Box_tree.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -57,12 +57,11 @@ public:
   std::string advice() const
   {
     if(!is_any()) return std::string();
-    std::ostringstream text;
     const std::size_t n = edges_.size();
-    text << n << (n == 1 ? " edge that must stay is" : " edges that must stay are") << " up to "
-         << longest_ << " times as long as the size beside " << (n == 1 ? "it" : "them")
-         << ": faces near there are larger than asked, so that they keep a good shape";
-    return text.str();
+    return std::to_string(n) + (n == 1 ? " edge that must stay is" : " edges that must stay are") +
+           " up to " + rounded_text(longest_) + " times as long as the size beside " +
+           (n == 1 ? "it" : "them") +
+           ": faces near there are larger than asked, so that they keep a good shape";
   }
 
 private:

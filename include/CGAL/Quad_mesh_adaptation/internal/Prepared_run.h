@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mirror_goal.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Schedule_ingredients.h>
 #include <CGAL/Quad_mesh_adaptation/internal/check_feature_angle.h>
 #include <CGAL/Quad_mesh_adaptation/internal/compiled_core.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,7 +52,8 @@ struct Prepared_run
   template <typename NamedParameters>
   void decode_limits(const NamedParameters& np)
   {
-    check_iterations(np);
+    iterations = decode_iterations(np);
+    ingredients = decode_ingredients(np);
     aim = decode_aim(np);
     s.size.scale_by(scale_of(aim));
     s.workers.use_threads(decode_concurrency(np));
@@ -77,7 +80,11 @@ struct Prepared_run
     return Mirror_goal{ largest_allowed(aim), ideal, is_foretold };
   }
 
+  std::size_t iterations_or(std::size_t usual) const { return iterations.value_or(usual); }
+
   Aim aim = Aim::not_larger;
+  std::optional<std::size_t> iterations; // none: not given
+  Schedule_ingredients ingredients;
   Adaptation_state s;
   Input_mesh in;
   std::optional<Triangle_soup> reference;

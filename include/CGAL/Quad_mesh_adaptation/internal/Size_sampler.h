@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Face_sizes.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -16,8 +17,8 @@ namespace internal {
 // Thrown by the sampler, caught at the public header: the caller's sizing field is not a size.
 struct Bad_size
 {
-  Vec where;
   double value;
+  std::optional<Vec> where; // a number is wrong everywhere
 };
 
 // How the size of a face is judged.
@@ -49,7 +50,7 @@ public:
   {
     if(constant_ > 0) return constant_;
     const double h = function_(p);
-    if(!(std::isfinite(h) && h > 0)) throw Bad_size{ p, h };
+    if(!(std::isfinite(h) && h > 0)) throw Bad_size{ h, p };
     return h;
   }
 

@@ -7,9 +7,10 @@
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Input_mesh.h>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
 
 #include <cstddef>
-#include <sstream>
+#include <string>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -40,12 +41,10 @@ inline void advise_on_reference(const Input_mesh& in, const Adaptation_state& s,
     which = v;
   }
   if(farthest <= edge) return;
-  const Vec p = in.points[std::size_t(which)];
-  std::ostringstream text;
-  text << "the vertex of the input at (" << p.x() << ", " << p.y() << ", " << p.z() << ") lies "
-       << farthest << " away from the reference surface, " << farthest / edge
-       << " mean edge lengths: are both of the same part, at the same place and in the same units?";
-  report.advice.push_back(text.str());
+  report.advice.push_back(
+      "the vertex of the input at " + point_text(in.points[std::size_t(which)]) + " lies " +
+      number_text(farthest) + " away from the reference surface, " + rounded_text(farthest / edge) +
+      " mean edge lengths: are both of the same part, at the same place and in the same units?");
 }
 
 } // namespace internal

@@ -4,7 +4,8 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHECK_FEATURE_ANGLE_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_CHECK_FEATURE_ANGLE_H
 
-#include <sstream>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
+
 #include <string>
 
 namespace CGAL {
@@ -15,9 +16,8 @@ namespace internal {
 inline std::string check_feature_angle(double degrees)
 {
   if(degrees > 0 && degrees <= 180) return {};
-  std::ostringstream text;
-  text << "feature_angle(" << degrees << ") is not an angle above 0 and up to 180 degrees";
-  return text.str();
+  return "feature_angle(" + number_text(degrees) +
+         ") is not an angle above 0 and up to 180 degrees";
 }
 
 } // namespace internal

@@ -31,8 +31,9 @@ public:
     stretches_.push_back({ c, std::move(path) });
   }
 
-  // Every curve keeps four edges, and none comes near half of it: there the way round that an
-  // edge stands for would be in doubt.
+  // Every curve keeps four edges: a disc of quads has an even number of them around it, and two
+  // would join the same nodes.  None comes near half of the curve, where the way round that an edge
+  // stands for would be in doubt.
   bool operator()() const
   {
     for(const Stretch& t : stretches_)

@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/Poor_face.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Face_figures.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Schedule_ingredients.h>
 #include <CGAL/Quad_mesh_adaptation/internal/compiled_core.h>
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 
@@ -40,8 +41,9 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double expected_faces(const Adaptation_state
                                                           double ideal_number_of_faces,
                                                           double mean_square_slope, double scale);
 
-CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void
-run_default_schedule(Adaptation_state& s, std::size_t max_iterations, bool is_quick);
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_default_schedule(Adaptation_state& s,
+                                                              std::size_t max_iterations,
+                                                              const Schedule_ingredients& use);
 
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void keep_within_distance(Adaptation_state& s);
 

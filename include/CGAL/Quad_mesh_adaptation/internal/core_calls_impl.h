@@ -57,11 +57,10 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL double expected_faces(const Adaptation_state
   return expected_count(s, ideal_number_of_faces, mean_square_slope, scale);
 }
 
-CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void
-run_default_schedule(Adaptation_state& s, std::size_t max_iterations, bool is_quick)
+CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void run_default_schedule(Adaptation_state& s,
+                                                              std::size_t max_iterations,
+                                                              const Schedule_ingredients& use)
 {
-  Schedule_ingredients use;
-  use.detours = !is_quick;
   progressive_schedule(s, max_iterations, use);
 }
 

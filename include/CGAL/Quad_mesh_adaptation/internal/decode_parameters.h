@@ -8,6 +8,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Phase_clock.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Schedule_ingredients.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_at.h>
 #include <CGAL/Quad_mesh_adaptation/internal/state_options.h>
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
@@ -37,7 +38,7 @@ Size_sampler make_sampler(const SizingField& sizing)
   double constant = 0; // is none
   if constexpr(std::is_arithmetic_v<SizingField>) {
     constant = double(sizing);
-    if(!(std::isfinite(constant) && constant > 0)) throw Bad_size{ Vec(0, 0, 0), constant };
+    if(!(std::isfinite(constant) && constant > 0)) throw Bad_size{ constant, {} };
   }
   return Size_sampler(size_function<Point>(sizing), constant);
 }
@@ -49,8 +50,8 @@ inline std::string describe(const Bad_projection& e)
 
 inline std::string describe(const Bad_size& e)
 {
-  return "the size at " + point_text(e.where) + " is " + number_text(e.value) +
-         ", not a positive finite number";
+  return "the size" + (e.where ? " at " + point_text(*e.where) : std::string()) + " is " +
+         number_text(e.value) + ", not a positive finite number";
 }
 
 // Plain values of all named parameters, decoded once.
@@ -208,26 +209,22 @@ struct is_named_parameters<const T> : is_named_parameters<T>
 {
 };
 
+// None where they are not given, at most what an int holds.
 template <typename NamedParameters>
-void check_iterations(const NamedParameters& np)
+std::optional<std::size_t> decode_iterations(const NamedParameters& np)
 {
-  const auto n = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), 0);
-  if constexpr(std::is_signed_v<std::decay_t<decltype(n)>>)
-    if(n < 0)
-      throw Refused{ Refusal::invalid_parameter, "number_of_iterations(" + std::to_string(n) +
-                                                     "): the number of passes is negative" };
-}
-
-// At most what an int holds.  What check_iterations() refuses may be given.
-template <typename NamedParameters>
-std::size_t decode_iterations(const NamedParameters& np,
-                              std::size_t usual = default_number_of_iterations)
-{
-  constexpr std::size_t most = (std::numeric_limits<int>::max)();
-  return (std::min)(most,
-                    std::size_t(parameters::choose_parameter(
-                        parameters::get_parameter(np, internal_np::number_of_iterations), usual)));
+  using CGAL::parameters::is_default_parameter;
+  if constexpr(is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value) {
+    return std::nullopt;
+  } else {
+    const auto n = parameters::get_parameter(np, internal_np::number_of_iterations);
+    if constexpr(std::is_signed_v<std::decay_t<decltype(n)>>)
+      if(n < 0)
+        throw Refused{ Refusal::invalid_parameter, "number_of_iterations(" + std::to_string(n) +
+                                                       "): the number of passes is negative" };
+    constexpr std::size_t most = (std::numeric_limits<int>::max)();
+    return (std::min)(most, std::size_t(n));
+  }
 }
 
 template <typename NamedParameters>
@@ -238,10 +235,12 @@ bool is_paper_schedule(const NamedParameters& np)
 }
 
 template <typename NamedParameters>
-bool is_quick_effort(const NamedParameters& np)
+Schedule_ingredients decode_ingredients(const NamedParameters& np)
 {
-  return parameters::choose_parameter(parameters::get_parameter(np, effort_tag), Effort::full) ==
-         Effort::quick;
+  Schedule_ingredients use;
+  use.detours = parameters::choose_parameter(parameters::get_parameter(np, effort_tag),
+                                             Effort::full) != Effort::quick;
+  return use;
 }
 
 template <typename NamedParameters>

@@ -23,12 +23,13 @@ inline std::vector<Index> huge_nodes(const Quad_complex& m)
   return list;
 }
 
-// Has a node so many that whatever is tried about it takes all the time there is?
+// In a fan of more faces whatever is tried takes all the time there is, and hardly anything helps.
+constexpr int boundless_fan = 100;
+
 inline bool has_boundless_fan(const Quad_complex& m)
 {
-  constexpr int boundless = 100;
   for(Index v : m.vertices())
-    if(m.vertex(v).faces > boundless) return true;
+    if(m.vertex(v).faces > boundless_fan) return true;
   return false;
 }
 

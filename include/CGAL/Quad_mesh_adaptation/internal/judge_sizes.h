@@ -6,13 +6,13 @@
 
 #include <CGAL/Quad_mesh_adaptation/Adaptation_report.h>
 #include <CGAL/Quad_mesh_adaptation/internal/faults.h>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iomanip>
-#include <sstream>
+#include <string>
 
 namespace CGAL {
 namespace Quad_mesh_adaptation {
@@ -33,13 +33,10 @@ inline void judge_sizes(Adaptation_report& r, bool paper, Aim aim, std::size_t l
   if(met) return;
   const Size_ratio_table& t = paper ? r.after.size_ratio : r.after.strict_size_ratio;
   r.status = Adaptation_status::sizes_not_met;
-  std::ostringstream text;
-  text << std::setprecision(t.max < 1.001 ? 12 : 6); // by rounding only
-  text << large << " of " << all << " faces are "
-       << (aim == Aim::nearest ? "more than a factor of sqrt(2) larger than asked"
-                               : "larger than asked")
-       << ", the largest " << t.max << " times its size";
-  r.message = text.str();
+  r.message = std::to_string(large) + " of " + std::to_string(all) + " faces are " +
+              (aim == Aim::nearest ? "more than a factor of sqrt(2) larger than asked"
+                                   : "larger than asked") +
+              ", the largest " + number_text(t.max) + " times its size";
 }
 
 // The same for the distance to the reference, if one was asked for.
@@ -47,11 +44,11 @@ inline void judge_distances(Adaptation_report& r, double allowed, std::size_t fa
 {
   if(far == 0) return;
   r.status = Adaptation_status::sizes_not_met;
-  std::ostringstream text;
-  text << (r.message.empty() ? "" : r.message + "; ") << far << " of " << r.after.faces
-       << " faces are farther than " << allowed << " from the reference, the farthest "
-       << (std::max)(r.after.mesh_to_reference, r.after.reference_to_mesh);
-  r.message = text.str();
+  if(!r.message.empty()) r.message += "; ";
+  r.message += std::to_string(far) + " of " + std::to_string(r.after.faces) +
+               " faces are farther than " + number_text(allowed) +
+               " from the reference, the farthest " +
+               number_text((std::max)(r.after.mesh_to_reference, r.after.reference_to_mesh));
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Work_part.h>
 #include <CGAL/Quad_mesh_adaptation/internal/detour_searches.h>
 #include <CGAL/Quad_mesh_adaptation/internal/detour_targets.h>
+#include <CGAL/Quad_mesh_adaptation/internal/huge_nodes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/poor_shapes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 
@@ -178,12 +179,11 @@ private:
   // such trials find no operation.
   std::vector<Index> nodes_to_try(Index f, int rings) const
   {
-    constexpr std::size_t very_many = 100;
     std::vector<Index> nodes;
     const std::vector<char> near = nodes_around(s_.mesh, { f }, rings);
     for(Index v = 0; v < Index(near.size()); ++v)
       if(near[v]) nodes.push_back(v);
-    if(nodes.size() <= very_many) return nodes;
+    if(nodes.size() <= std::size_t(boundless_fan)) return nodes;
     const Quad q = s_.mesh.quad(f);
     return { q.begin(), q.end() };
   }

@@ -7,11 +7,11 @@
 #include <CGAL/Quad_mesh_adaptation/Size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Shared_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/geometry.h>
+#include <CGAL/Quad_mesh_adaptation/internal/number_text.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -235,15 +235,14 @@ Size_growth measure_size_growth(const std::vector<Vec>& points, const std::vecto
 inline std::string advice_on(const Size_growth& g)
 {
   if(!g.is_too_steep()) return std::string();
-  std::ostringstream text;
-  text.precision(3);
-  text << "the size grows by up to " << g.largest_slope << " per unit of length (at " << g.where[0]
-       << ", " << g.where[1] << ", " << g.where[2] << "), and by more than the "
-       << Size_growth::followed_slope
-       << " that quads can follow on the part of the surface that holds "
-       << 100 * g.steep_faces_share << " % of the ideal number of faces; there many vertices are "
-       << "irregular and the efficiency is low; Graded_sizing_field bounds the growth";
-  return text.str();
+  return "the size grows by up to " + rounded_text(g.largest_slope, 3) +
+         " per unit of length (at " + number_text(g.where[0]) + ", " + number_text(g.where[1]) +
+         ", " + number_text(g.where[2]) + "), and by more than the " +
+         number_text(Size_growth::followed_slope) +
+         " that quads can follow on the part of the surface that holds " +
+         rounded_text(100 * g.steep_faces_share, 3) +
+         " % of the ideal number of faces; there many vertices are irregular and the efficiency is "
+         "low; Graded_sizing_field bounds the growth";
 }
 
 } // namespace internal

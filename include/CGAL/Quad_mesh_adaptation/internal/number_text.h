@@ -32,6 +32,16 @@ inline std::string number_text(double value)
   return text;
 }
 
+// For what is told as an estimate.
+inline std::string rounded_text(double value, int digits = 6)
+{
+  if(!std::isfinite(value)) return number_text(value);
+  char text[40];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
+  return std::string(text, end.ptr);
+}
+
 inline std::string point_text(const Vec& p)
 {
   return '(' + number_text(p.x()) + ", " + number_text(p.y()) + ", " + number_text(p.z()) + ')';

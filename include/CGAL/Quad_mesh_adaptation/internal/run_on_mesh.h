@@ -13,6 +13,8 @@
 #include <CGAL/Quad_mesh_adaptation/internal/mesh_import.h>
 #include <CGAL/Quad_mesh_adaptation/parameters.h>
 
+#include <array>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +31,9 @@ void put_patches(const Adaptation_state& s, const Export& written,
   for(Index f : s.mesh.faces())
     put(fpm, written.face_of(f), patches[s.given_patch[s.mesh.patch(f)]]);
 }
+
+// What a public function does to the state of a mesh, or of a part of it; `asked`: of the whole.
+using Public_algorithm = std::function<void(Adaptation_state&, const Prepared_run& asked)>;
 
 // What every public function does around its algorithm: import and check, build the state, run the
 // algorithm, measure, and only then write back.
@@ -48,11 +53,11 @@ public:
 
   template <typename FaceRange, typename SizingField>
   void operator()(const FaceRange& faces, bool is_region, const SizingField& sizing,
-                  const State_algorithm& algorithm)
+                  const Public_algorithm& algorithm)
   {
     prepare(faces, is_region, sizing);
     core_.measure_input();
-    core_.work(decode_symmetry(np_), algorithm);
+    core_.work(decode_symmetry(np_), [&](Adaptation_state& s) { algorithm(s, core_.run); });
     core_.measure_result();
     core_.judge();
     write_back();
@@ -69,6 +74,22 @@ public:
     if(e.input_vertex < 0) return;
     report_.entity = position_of(descriptors_.vertices[e.input_vertex], mesh_);
     report_.message = "vertex " + std::to_string(report_.entity) + " " + e.message;
+  }
+
+  void put_refusal(const Bad_projection& e)
+  {
+    report_.status = Adaptation_status::input_refused;
+    report_.reason = Refusal::invalid_parameter;
+    report_.message = describe(e);
+    put_place(e.where);
+  }
+
+  void put_refusal(const Bad_size& e)
+  {
+    report_.status = Adaptation_status::sizes_refused;
+    report_.reason = Refusal::invalid_size;
+    report_.message = describe(e);
+    if(e.where) put_place(*e.where);
   }
 
 private:
@@ -93,6 +114,8 @@ private:
     run.template build<Point>(np_);
     core_.describe_input();
   }
+
+  void put_place(const Vec& p) { report_.place = std::array<double, 3>{ p.x(), p.y(), p.z() }; }
 
   void write_back()
   {
@@ -122,7 +145,7 @@ private:
 template <typename FaceRange, typename SizingField, typename QuadMesh, typename NamedParameters>
 Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const SizingField& sizing,
                               QuadMesh& mesh, const NamedParameters& np, const Call_kind& kind,
-                              const State_algorithm& algorithm)
+                              const Public_algorithm& algorithm)
 {
   Adaptation_report report;
   Phase_clock clock;
@@ -132,13 +155,9 @@ Adaptation_report run_on_mesh(const FaceRange& faces, bool is_region, const Sizi
   } catch(const Refused& e) {
     run.put_refusal(e);
   } catch(const Bad_projection& e) {
-    report.status = Adaptation_status::input_refused;
-    report.reason = Refusal::invalid_parameter;
-    report.message = describe(e);
+    run.put_refusal(e);
   } catch(const Bad_size& e) {
-    report.status = Adaptation_status::sizes_refused;
-    report.reason = Refusal::invalid_size;
-    report.message = describe(e);
+    run.put_refusal(e);
   } catch(const Cancelled&) {
     report.status = Adaptation_status::cancelled;
     report.message = "cancelled by the caller";
