@@ -132,15 +132,12 @@ TEST(Frozen_edges, WholeBorder)
   const Shape plate = shape_zoo::plate(12, 12);
   const Adaptation_report coarser = adapt<Mesh>(plate, on_border, 3.);
   EXPECT_LT(coarser.after.faces, 110u);
-  // half as long within as on the border: no face there is near a square
-  std::vector<double> worst;
-  for(double factor : { 0.38, 0.4, 0.43 }) {
+  // about half as long within as on the border: sizes give way there, shapes do not
+  for(double factor : { 0.38, 0.43, 0.5, 0.54 }) {
     const Adaptation_report finer = adapt<Mesh>(plate, on_border, factor);
-    EXPECT_GT(finer.after.faces, 500u);
-    EXPECT_GT(finer.after.min_scaled_jacobian, 0.1);
-    worst.push_back(finer.after.min_scaled_jacobian);
+    EXPECT_GT(finer.after.faces, 400u);
+    EXPECT_GE(finer.after.min_scaled_jacobian, 0.45) << factor;
   }
-  EXPECT_GT(*std::max_element(worst.begin(), worst.end()), 0.25);
 }
 
 // Faces that frozen edges keep too large are reported, and only those near them; they have a good
