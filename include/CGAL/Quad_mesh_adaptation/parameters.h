@@ -237,7 +237,7 @@ Named_function_parameters<double, max_distance_t, NP> max_distance(double d, con
 
 /// Edges that stay as they are, with both their ends: neither moved, nor split, nor merged with
 /// others, also on the border.  A model of `ReadablePropertyMap` with the `edge_descriptor` as key
-/// and `bool` as value.  Beside an edge more than 2.4 times as long as asked faces are as large as
+/// and `bool` as value.  Beside an edge more than 1.8 times as long as asked faces are as large as
 /// a good shape requires: 0.7 of its length on average, and from there their size falls by 0.75 per
 /// unit of length at most.  The report names those that are larger than asked.  Default: none.
 template <typename EdgeFrozenMap>
