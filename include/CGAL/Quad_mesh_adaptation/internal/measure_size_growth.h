@@ -235,9 +235,8 @@ Size_growth measure_size_growth(const std::vector<Vec>& points, const std::vecto
 inline std::string advice_on(const Size_growth& g)
 {
   if(!g.is_too_steep()) return std::string();
-  return "the size grows by up to " + rounded_text(g.largest_slope, 3) +
-         " per unit of length (at " + number_text(g.where[0]) + ", " + number_text(g.where[1]) +
-         ", " + number_text(g.where[2]) + "), and by more than the " +
+  return "the size grows by up to " + rounded_text(g.largest_slope, 3) + " per unit of length at " +
+         point_text(Vec(g.where[0], g.where[1], g.where[2])) + ", and by more than the " +
          number_text(Size_growth::followed_slope) +
          " that quads can follow on the part of the surface that holds " +
          rounded_text(100 * g.steep_faces_share, 3) +
