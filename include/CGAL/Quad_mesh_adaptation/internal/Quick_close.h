@@ -59,7 +59,8 @@ public:
     look_at(h);
     if(!is_simple() || (lost_ >= 0 && !is_fusible())) return false;
     guess_merged();
-    if(!is_within_limit() || !is_well_shaped() || !place_merged()) return false;
+    if(!is_within_limit() || (leave_middle() && !is_within_limit())) return false;
+    if(!is_well_shaped() || !place_merged()) return false;
     commit();
     if(lost_ >= 0) fuse();
     return true;
@@ -128,12 +129,20 @@ private:
   {
     const Vertex_record &a = s_.mesh.vertex(a_), &c = s_.mesh.vertex(c_);
     merged_ = a;
-    ends_.assign({ a_, c_ });
-    merged_.p = merged_position(s_, ends_);
+    merged_.p = 0.5 * (a.p + c.p);
     merged_.normal = normalized(a.normal + c.normal);
     merged_.h = 0.5 * (a.h + c.h);
     merged_.floor = 0.5 * (a.floor + c.floor);
     merged_.faces = a.faces + c.faces - 2;
+  }
+
+  // Where the surface bends sharply the node has another place; tells whether it has.
+  bool leave_middle()
+  {
+    ends_.assign({ a_, c_ });
+    const Vec middle = merged_.p;
+    merged_.p = merged_position(s_, ends_);
+    return merged_.p != middle;
   }
 
   // False where the surface is too far away for the checks to hold.

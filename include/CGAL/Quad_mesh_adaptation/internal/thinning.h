@@ -175,7 +175,7 @@ void thin_out(Adaptation_state& s, const Look_closer& look_closer)
   const bool is_rich = is_quick && is_rich_in_curves(s);
   if(!is_quick || is_rich || !is_far_too_fine(s) || is_regular(s)) look_closer();
   if(!is_quick || is_rich || !is_far_too_fine(s)) return;
-  const Thinning_limits fine = { 0.7, 0.3, false }, rough = { 1, 0.2, true };
+  const Thinning_limits fine = { 0.7, 0.3, false }, rough = { 1, 0.05, true };
   thin_by_faces(s, is_rough ? rough : fine, large_part(s));
   renumber_by_place(s);
 }
