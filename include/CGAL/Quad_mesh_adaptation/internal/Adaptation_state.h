@@ -220,14 +220,25 @@ struct Adaptation_state : Run_record, Sized_mesh
   // nearest one on the patch, for which the tree may have to be built.
   Index triangle_near(Index f, const Vec& p) const
   {
+    const Index hint = triangle_about(f);
+    return hint >= 0 ? hint : surface.find(p, reference_patch_of(f), area_vector(corners(f)));
+  }
+
+  // The same by corners alone; -1 if none of them lies on the surface.
+  Index triangle_about(Index f) const
+  {
     Index hint = triangle_at_corner(f);
     for(Index h = 4 * f; h < 4 * f + 4 && hint < 0; ++h)
       if(!mesh.is_border(h) && mesh.curve(h) < 0)
         hint = triangle_at_corner(mesh.face(mesh.opposite(h)));
-    if(hint >= 0) return hint;
+    return hint;
+  }
+
+  // The patch of the reference on which face f lies; -1 if that is not known.
+  Index reference_patch_of(Index f) const
+  {
     const Index k = mesh.patch(f);
-    const Index patch = k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
-    return surface.find(p, patch, area_vector(corners(f)));
+    return k < Index(reference_patch.size()) ? reference_patch[k] : Index(-1);
   }
 
 private:

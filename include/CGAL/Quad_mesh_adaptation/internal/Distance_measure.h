@@ -98,7 +98,7 @@ private:
     if(is_own_known_ && is_own_[f]) return;
     const Corners p = s_.corners(f);
     if(is_near_own_triangles(f, p)) return;
-    Index hint = s_.triangle_near(f, p[0]);
+    Index hint = triangle_near(f, p[0]);
     for(int k = 0; k < 9; ++k) {
       const Index h = 4 * f + k - 5, o = k < 5 ? Index(-1) : m.opposite(h);
       if(k >= 5 && (m.curve(h) >= 0 || o > h)) continue; // measured as a curve, or over there
@@ -106,6 +106,17 @@ private:
       const Vec q = (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * (u * p[2] + (1 - u) * p[3]);
       measure_to_surface(q, f, o < 0 ? f : m.face(o), hint);
     }
+  }
+
+  // The first faces that have no corner on the surface do not make it build a tree.
+  Index triangle_near(Index f, const Vec& p)
+  {
+    const Index hint = s_.triangle_about(f);
+    if(hint >= 0 || scans_left_ == 0) return hint >= 0 ? hint : s_.triangle_near(f, p);
+    --scans_left_;
+    const Vec direction = area_vector(s_.corners(f));
+    const Index found = s_.surface.scan_nearer(p, s_.reference_patch_of(f), direction, 1e150);
+    return found >= 0 ? found : s_.triangle_near(f, p);
   }
 
   // Are all points of face f so near to its own triangles that they do not matter?
@@ -140,8 +151,7 @@ private:
     double d = s_.surface.distance_from(q, enough, hint);
     if(d <= enough && !by_face_.is_careful()) return; // it may be less, but does not matter
     if(d > enough) {
-      const Index k = s_.mesh.patch(f);
-      const Index patch = k < Index(s_.reference_patch.size()) ? s_.reference_patch[k] : Index(-1);
+      const Index patch = s_.reference_patch_of(f);
       const Vec direction = area_vector(s_.corners(f));
       if(!by_face_.is_careful() && !asks_tree_)
         return to_reference_.doubt(d, q, patch, direction, f);
@@ -182,6 +192,7 @@ private:
   const Adaptation_state& s_;
   Distances_by_face by_face_;
   bool asks_tree_ = false, is_own_known_ = false;
+  int scans_left_ = 8; // of all triangles, each takes a few per cent of building a tree
   Largest_distance to_reference_, from_reference_;
   std::vector<char> is_own_; // is a face two triangles of the reference?
 };
