@@ -233,12 +233,12 @@ inline void smooth_plainly(Adaptation_state& s)
 // face about them is longer than `limit` sizes or, away from curves, worse than `least`.
 inline void thin_by_chords(Adaptation_state& s, double limit, double least, Index enough)
 {
-  constexpr double many = 0.3; // of the faces that are left; after fewer the next round takes few
+  constexpr double few = 0.15, many = 0.3; // of the faces that are left
   s.restless.assign(s.mesh.vertex_end(), 0);
   for(bool again = true; again && s.mesh.number_of_faces() > enough;) {
     const double removed = double(Chord_thinning(s, limit, least)());
-    again = removed > many * double(s.mesh.number_of_faces());
-    if(again) smooth_plainly(s);
+    if(removed > many * double(s.mesh.number_of_faces())) smooth_plainly(s);
+    again = removed > few * double(s.mesh.number_of_faces());
   }
 }
 
