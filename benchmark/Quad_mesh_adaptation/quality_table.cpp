@@ -23,6 +23,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -39,7 +40,10 @@ std::string efficiency_limit(const Case& c, const QMA::Adaptation_report& report
 {
   const double ideal = report.after.ideal_number_of_faces, whole = std::ceil(ideal);
   if(ideal < goal * whole) return formatted(" (%.2f at most, in whole faces)", ideal / whole);
-  const quality::Fewest_faces fewest = quality::fewest_faces(c.initial, c.reference.has_value());
+  const double size = c.kind == quality::Kind::uniform ? c.size(quality::Point(0, 0, 0))
+                                                       : std::numeric_limits<double>::infinity();
+  const quality::Fewest_faces fewest =
+      quality::fewest_faces(c.initial, c.reference.has_value(), size);
   const bool are_those_kept = fewest.patches == report.patches; // else features are others
   return are_those_kept && ideal < goal * double(fewest.faces)
              ? formatted(" (%.2f at most: %zu faces for its %zu patches)",
@@ -150,9 +154,13 @@ const char* const heading =
     "k times smaller. The last column names the goals that the default schedule misses, with the\n"
     "goal, and what is known to forbid it; for uniform sizes the goal for irregular vertices\n"
     "comes on top of the input's share, and the Jacobian need not be better than the input's.\n"
-    "Where it says so many faces for patches, features alone ask for these at any size: a patch\n"
-    "between features with Euler characteristic x and b edges around it has b / 2 - x quads or\n"
-    "more, and b is one from corner to corner and three around a smooth loop at least.\n"
+    "Where it says so many faces for patches, features ask for these: a patch between features "
+    "with\n"
+    "Euler characteristic x and b edges around it has b / 2 - x quads or more, at any size, and b "
+    "is\n"
+    "one from corner to corner and three around a smooth loop at least; a flat patch between "
+    "straight\n"
+    "features has as many as its area over the square of a uniform size.\n"
     "Times are of the processor, in\n"
     "microseconds for each face of the result, and for all of a call: preparing the reference\n"
     "surface and measuring the result are included. What each ingredient of the default schedule "
