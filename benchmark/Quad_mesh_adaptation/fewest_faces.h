@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace quality {
