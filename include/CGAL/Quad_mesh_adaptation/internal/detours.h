@@ -22,12 +22,23 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
-// What is wrong with a mesh, to be compared with another one for the same sizes.
+// Faces beyond those of a mesh that fills its sizes well enough.
+inline double surplus_faces(const Adaptation_state& s)
+{
+  constexpr double enough = 0.8; // efficiency
+  return double(s.mesh.number_of_faces()) * (std::max)(1 - efficiency(s) / enough, 0.);
+}
+
+// What is wrong with a mesh, to be compared with another one for the same sizes.  Operations weigh
+// faces against irregular nodes; where there are far too many faces each of these costs two such
+// nodes more.
 inline double demerits(Adaptation_state& s)
 {
-  constexpr double price = 10; // of a face too large, or far too small
+  constexpr double price = 10, // of a face too large, or far too small
+      of_surplus = 3;
   const double small = fraction_below(s, far_too_small) * double(s.mesh.number_of_faces());
-  return energy_and_faults(s) + price * (double(faces_too_large(s).size()) + small);
+  return energy_and_faults(s) + of_surplus * surplus_faces(s) +
+         price * (double(faces_too_large(s).size()) + small);
 }
 
 // The same for each face that the sizes ask for.  Meshes within their sizes and without irregular
@@ -82,6 +93,7 @@ public:
       const Start start = start_of_way(way, faces);
       if(is_promising(start, way, wrong)) try_way(start, way / 2, !has_few);
     }
+    if(faces <= several) try_with_dear_faces(faces);
   }
 
 private:
@@ -114,8 +126,17 @@ private:
     return start != Start::given || way > 1;
   }
 
-  // The better of both stays.
-  void try_way(Start start, int order, bool with_detours)
+  // Where there are too many faces all the same: operations take irregular nodes into account then
+  // to have fewer.
+  void try_with_dear_faces(Index faces)
+  {
+    constexpr double dear = 3;
+    for(const int way : { 1, 0 })
+      if(surplus_faces(s_) > 0) try_way(start_of_way(way, faces), 0, false, dear);
+  }
+
+  // The better of both stays; a face costs `dear` times as much on the way.
+  void try_way(Start start, int order, bool with_detours, double dear = 1)
   {
     const double least = clearly * demerits(s_);
     const std::vector<char> kept = curves_that_kept_length(s_); // by the best
@@ -125,7 +146,12 @@ private:
     if(start == Start::coarser) start_coarser(with_detours);
     if(start == Start::finer) start_finer();
     if(start == Start::halved) make_finer(s_);
+    const double face = s_.energy.face;
+    s_.energy.face *= dear;
+    s_.forget_energies();
     run_(false);
+    s_.energy.face = face;
+    s_.forget_energies();
     s_.order = 0;
     // a coarser start leaves nodes beside the bends of curves; they do not always find back
     if(demerits(s_) >= least || !have_kept_length(s_, kept) || misses_sizes()) best_->restore();

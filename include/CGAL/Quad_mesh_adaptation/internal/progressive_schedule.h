@@ -14,6 +14,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/local_detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/own_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_run.h>
+#include <CGAL/Quad_mesh_adaptation/internal/row_trades.h>
 #include <CGAL/Quad_mesh_adaptation/internal/work_to_do.h>
 
 #include <algorithm>
@@ -27,6 +28,7 @@ namespace internal {
 
 // From so many faces on an input has no detours.
 constexpr Index without_detours = 40000;
+constexpr Index few_enough_for_trades = 200;
 
 // Where features and size leave room for few faces, the order of operations decides about much. So
 // where a small mesh does not come out well, other ways are tried as well, and taken where they are
@@ -45,7 +47,10 @@ inline void run_with_detours(Adaptation_state& s, const Improvement_options& cle
     detours.emplace(s, run);
   const int octaves =
       run_progressively(s, clean, max_iterations, use, refused, detours ? &known : nullptr);
-  if(detours) (*detours)(octaves > 0);
+  if(!detours) return;
+  (*detours)(octaves > 0);
+  if(s.mesh.number_of_faces() <= few_enough_for_trades && !are_sizes_out_of_reach(s))
+    Row_trades(s, clean)();
 }
 
 // Another way from a mesh that is given; the better outcome of both is kept.

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Quad_mesh_adaptation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ROW_TRADES_H
+#define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ROW_TRADES_H
+
+#include <CGAL/Quad_mesh_adaptation/internal/Cavity.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Chord.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
+#include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
+#include <CGAL/Quad_mesh_adaptation/internal/detours.h>
+#include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
+#include <CGAL/Quad_mesh_adaptation/internal/progressive_run.h>
+#include <CGAL/Quad_mesh_adaptation/internal/smoothing.h>
+#include <CGAL/Quad_mesh_adaptation/internal/split_templates.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_mesh_adaptation {
+namespace internal {
+
+// One row out and a shorter one in: 3 x 3 faces become 2 x 4.  Each of both alone leaves faces too
+// large or adds some, so that no search by energy takes the first step.
+class Row_trades
+{
+public:
+  Row_trades(Adaptation_state& s, const Improvement_options& clean) : s_(s), clean_(clean) {}
+
+  // As long as one helps and work is left.
+  void operator()()
+  {
+    while(relative_demerits(s_) > usual && is_any_good()) {
+    }
+  }
+
+private:
+  static constexpr double usual = 1.25; // as for detours
+
+  // Tries all until one helps.
+  bool is_any_good()
+  {
+    const double least = clearly * demerits(s_);
+    const Index faces = s_.mesh.number_of_faces();
+    const std::vector<char> kept = curves_that_kept_length(s_);
+    for(std::size_t i = 0; i < chords().size(); ++i) {
+      Mesh_keeper before(s_);
+      if(take_out(chords()[i]) && is_better_with_another(faces, least, kept)) return true;
+      before.restore();
+      if(work_left_ < 0) return false;
+    }
+    return false;
+  }
+
+  // After a row has gone: another one in, with less faces than there were.
+  bool is_better_with_another(Index faces, double least, const std::vector<char>& kept)
+  {
+    for(std::size_t i = 0; i < chords().size() && work_left_ >= 0; ++i) {
+      const Chord c = chords()[i];
+      if(s_.mesh.number_of_faces() + Index(c.faces.size()) >= faces) continue;
+      Mesh_keeper before(s_);
+      if(put_in(c) && are_sizes_met() && demerits(s_) < least && have_kept_length(s_, kept))
+        return true;
+      before.restore();
+    }
+    return false;
+  }
+
+  // One half-edge of each, in order of their numbers.
+  std::vector<Chord> chords() const
+  {
+    const Quad_complex& m = s_.mesh;
+    std::vector<char> seen(4 * std::size_t(m.face_end()), 0);
+    std::vector<Chord> list;
+    for(Index h : m.halfedges()) {
+      if(seen[h]) continue;
+      list.push_back(chord_through(m, h));
+      for(Index g : list.back().rungs) {
+        seen[g] = 1;
+        if(m.opposite(g) >= 0) seen[m.opposite(g)] = 1;
+      }
+    }
+    return list;
+  }
+
+  bool take_out(const Chord& c)
+  {
+    if(!is_chord_collapse_allowed(s_, c)) return false;
+    Cavity cavity(s_);
+    describe_chord_collapse(s_, c, cavity);
+    if(!cavity.close()) return false;
+    cavity.commit();
+    s_.count("chord collapse");
+    return true;
+  }
+
+  bool put_in(const Chord& c)
+  {
+    const Quad_complex& m = s_.mesh;
+    std::vector<char> split(4 * std::size_t(m.face_end()), 0);
+    for(Index h : c.rungs) {
+      if(m.curve(h) >= 0 && s_.curves[m.curve(h)].is_frozen()) return false;
+      split[h] = 1;
+      if(m.opposite(h) >= 0) split[m.opposite(h)] = 1;
+    }
+    Split_templates(s_, split)();
+    s_.disturb_all();
+    return true;
+  }
+
+  // The most of what a trial takes, unless it is a good one.
+  bool are_sizes_met()
+  {
+    s_.check_cancelled();
+    work_left_ -= double(s_.mesh.number_of_faces());
+    const double hinge = s_.smoothing.hinge;
+    s_.smoothing.hinge = 2000;
+    smooth(s_, 20);
+    s_.smoothing.hinge = hinge;
+    if(faces_too_large(s_).size() > few) return false;
+    polish(s_, clean_, 2, 0);
+    return faces_too_large(s_).empty();
+  }
+
+  static constexpr double clearly = 0.98;
+  static constexpr std::size_t few = 2; // for clean-up to see to
+
+  Adaptation_state& s_;
+  const Improvement_options clean_;
+  double work_left_ = 5000; // faces in all trials
+};
+
+} // namespace internal
+} // namespace Quad_mesh_adaptation
+} // namespace CGAL
+
+#endif // CGAL_QUAD_MESH_ADAPTATION_INTERNAL_ROW_TRADES_H
