@@ -99,6 +99,15 @@ fi
 # what was put right in the input is said
 printf '%b' "OFF\n5 1 0\n${square}9 9 9\n4 0 1 2 3\n" >lonely.off
 expect 0 'note: .*1 vertex that no face uses' lonely.off out.off --size 1
+# the number of faces is said before the work, and is right where it is small
+awk 'NR > 2 && NF == 3 { print $1, $2, 0.2 * $1 * $1; next } { print }' plate.off >bowl.off
+for size in 1.7 2.1 0.9; do
+  expect 0 '' bowl.off few.off --size "$size" --report few.json
+  said=$(sed -n '1s/^Faces expected beforehand //p' .out)
+  [ "$said" = "$(awk 'NR == 2 { print $2 }' few.off)" ] ||
+    fail "'$said' faces were foretold first, not $(awk 'NR == 2 { print $2 }' few.off)"
+  grep -q "\"expected_number_of_faces\": $said\.0" few.json || fail "few.json foretells others"
+done
 # a size that jumps is graded: said, and many more faces; a gentle one stays as it is
 faces() { awk 'NR == 2 { print $2 }' "$1"; }
 expect 0 '' plate.off jump.off --size-function 'x < 1 ? 0.1 : 2' --quiet

@@ -11,12 +11,15 @@
 #include "Sizes.h"
 #include "Thread_limit.h"
 
+#include <CGAL/Quad_mesh_adaptation/expected_number_of_faces.h>
 #include <CGAL/adapt_quad_mesh.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -43,13 +46,39 @@ inline int choose_region(const Options& options, const Mesh& mesh,
   return region.empty() ? refuse("--region: no face has its centre there") : 0;
 }
 
-/// One call of the library from here on: no region means all faces.
+/// The number of faces that come out, `by_formula` unless single rows count, which no formula
+/// foretells: so few faces are made for trial, if the mesh has not so many that this takes seconds.
 template <class Parameters>
-QMA::Adaptation_report adapt(const std::vector<Mesh::Face_index>& region, const Size_function& size,
-                             Mesh& mesh, const Parameters& parameters)
+double foretold_faces(double by_formula, const std::vector<Mesh::Face_index>& region,
+                      const Size_function& size, const Mesh& mesh, const Parameters& parameters)
 {
-  return region.empty() ? QMA::adapt_quad_mesh(size, mesh, parameters)
-                        : QMA::adapt_quad_mesh(region, size, mesh, parameters);
+  constexpr double most_tried = 300, most_given = 1000;
+  const std::size_t given = region.empty() ? mesh.number_of_faces() : region.size();
+  if(by_formula > most_tried || double(given) > most_given) return by_formula;
+  return region.empty() ? QMA::expected_number_of_faces(size, mesh, parameters)
+                        : QMA::expected_number_of_faces(region, size, mesh, parameters);
+}
+
+/// One call of the library from here on: no region means all faces.  Tells how many faces to expect
+/// before the work is done, if anybody asks for it.
+template <class Parameters>
+QMA::Adaptation_report adapt(const Options& options, const std::vector<Mesh::Face_index>& region,
+                             const Size_function& size, Mesh& mesh, Progress& progress,
+                             const Parameters& parameters)
+{
+  double expected = 0; // is not foretold
+  progress.when_foretold([&](double by_formula) {
+    if(options.is_quiet && options.report.empty()) return;
+    expected = foretold_faces(by_formula, region, size, mesh, parameters);
+    if(options.is_quiet) return;
+    progress.clear();
+    std::cout << "Faces expected beforehand " << std::llround(expected) << std::endl;
+  });
+  QMA::Adaptation_report report = region.empty()
+                                      ? QMA::adapt_quad_mesh(size, mesh, parameters)
+                                      : QMA::adapt_quad_mesh(region, size, mesh, parameters);
+  if(expected > 0) report.expected_number_of_faces = expected;
+  return report;
 }
 
 inline QMA::Adaptation_report adapt(const Options& options, const Size_function& size, Mesh& mesh,
@@ -82,8 +111,9 @@ inline QMA::Adaptation_report adapt(const Options& options, const Size_function&
                     QMA::aim(is_nearest ? QMA::Aim::nearest : QMA::Aim::not_larger,
                              QMA::effort(options.is_quick ? QMA::Effort::quick : QMA::Effort::full,
                                          QMA::symmetry(!options.may_lose_symmetry, geometry))));
-  if(options.reference.empty()) return adapt(region, size, mesh, parameters);
-  return adapt(region, size, mesh, QMA::reference_surface(reference, parameters));
+  if(options.reference.empty()) return adapt(options, region, size, mesh, progress, parameters);
+  return adapt(options, region, size, mesh, progress,
+               QMA::reference_surface(reference, parameters));
 }
 
 #endif // QUAD_ADAPT_ADAPT_H

@@ -127,9 +127,11 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void Core_run::measure_input()
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void Core_run::work(bool keeps_symmetry,
                                                         const State_algorithm& algorithm)
 {
-  if(kind_.is_foretold)
+  if(kind_.is_foretold) {
     report_.expected_number_of_faces =
         expected_faces(s_, ideal_, report_.size_growth.mean_square_slope, scale_of(run.aim));
+    s_.foretell(report_.expected_number_of_faces);
+  }
   const bool mirrors = kind_.keeps_symmetry && keeps_symmetry;
   adapt_within_bound(run, run.mirror_goal(mirrors, ideal_, kind_.is_foretold), algorithm);
   frozen_->put_sizes_back();
