@@ -47,14 +47,16 @@ inline int choose_region(const Options& options, const Mesh& mesh,
 }
 
 /// The number of faces that come out, `by_formula` unless single rows count, which no formula
-/// foretells: so few faces are made for trial, if the mesh has not so many that this takes seconds.
+/// foretells: so few faces are made for trial, unless that takes seconds, since the mesh has many
+/// or `bounds_distance`.
 template <class Parameters>
-double foretold_faces(double by_formula, const std::vector<Mesh::Face_index>& region,
-                      const Size_function& size, const Mesh& mesh, const Parameters& parameters)
+double foretold_faces(double by_formula, bool bounds_distance,
+                      const std::vector<Mesh::Face_index>& region, const Size_function& size,
+                      const Mesh& mesh, const Parameters& parameters)
 {
   constexpr double most_tried = 300, most_given = 1000;
   const std::size_t given = region.empty() ? mesh.number_of_faces() : region.size();
-  if(by_formula > most_tried || double(given) > most_given) return by_formula;
+  if(by_formula > most_tried || double(given) > most_given || bounds_distance) return by_formula;
   return region.empty() ? QMA::expected_number_of_faces(size, mesh, parameters)
                         : QMA::expected_number_of_faces(region, size, mesh, parameters);
 }
@@ -69,7 +71,8 @@ QMA::Adaptation_report adapt(const Options& options, const std::vector<Mesh::Fac
   double expected = 0; // is not foretold
   progress.when_foretold([&](double by_formula) {
     if(options.is_quiet && options.report.empty()) return;
-    expected = foretold_faces(by_formula, region, size, mesh, parameters);
+    expected = foretold_faces(by_formula, options.max_distance.has_value(), region, size, mesh,
+                              parameters);
     if(options.is_quiet) return;
     progress.clear();
     std::cout << "Faces expected beforehand " << std::llround(expected) << std::endl;
