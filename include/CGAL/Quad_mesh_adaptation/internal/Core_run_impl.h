@@ -10,6 +10,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/adapt_within_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/advise_on_reference.h>
 #include <CGAL/Quad_mesh_adaptation/internal/advise_on_result.h>
+#include <CGAL/Quad_mesh_adaptation/internal/advise_on_stray_creases.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
@@ -102,6 +103,7 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void Core_run::describe_input()
 {
   count_features(s_, report_);
   advise_on_tangles(s_, report_);
+  advise_on_stray_creases(s_, report_);
   if(run.reference) advise_on_reference(run.in, s_, report_);
 }
 
