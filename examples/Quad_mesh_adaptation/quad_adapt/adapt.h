@@ -43,7 +43,21 @@ inline int choose_region(const Options& options, const Mesh& mesh,
     const double value = inside(Point(x, y, z));
     if(value != 0 && !std::isnan(value)) region.push_back(f);
   }
-  return region.empty() ? refuse("--region: no face has its centre there") : 0;
+  if(!region.empty()) return 0;
+  return refuse(options, "--region: ", QMA::Refusal::invalid_parameter,
+                "no face has its centre there");
+}
+
+/// How far faces may be from the surface.  The smooth surface through the vertices of a mesh that
+/// turns by much from face to face bends more than the sizes of --chord-error account for: the
+/// bound is for the error itself then, unless sizes are kept from following.
+inline double distance_allowed(const Options& options)
+{
+  constexpr double about = 1.1; // of the error asked for
+  if(options.max_distance) return *options.max_distance;
+  if(!options.is_smooth || !options.chord_error || options.smallest_size)
+    return std::numeric_limits<double>::infinity();
+  return about * *options.chord_error;
 }
 
 /// The number of faces that come out, `by_formula` unless single rows count, which no formula
@@ -71,8 +85,8 @@ QMA::Adaptation_report adapt(const Options& options, const std::vector<Mesh::Fac
   double expected = 0; // is not foretold
   progress.when_foretold([&](double by_formula) {
     if(options.is_quiet && options.report.empty()) return;
-    expected = foretold_faces(by_formula, options.max_distance.has_value(), region, size, mesh,
-                              parameters);
+    expected = foretold_faces(by_formula, std::isfinite(distance_allowed(options)), region, size,
+                              mesh, parameters);
     if(options.is_quiet) return;
     progress.clear();
     std::cout << "Faces expected beforehand " << std::llround(expected) << std::endl;
@@ -105,9 +119,7 @@ inline QMA::Adaptation_report adapt(const Options& options, const Size_function&
       QMA::feature_angle(options.feature_angle,
                          QMA::concurrency(CGAL::Parallel_if_available_tag(), course)));
   const auto geometry = QMA::smooth_reference(
-      options.is_smooth,
-      QMA::max_distance(options.max_distance.value_or(std::numeric_limits<double>::infinity()),
-                        constraints));
+      options.is_smooth, QMA::max_distance(distance_allowed(options), constraints));
   const bool is_paper = options.schedule == "paper", is_nearest = options.aim == "nearest";
   const auto parameters =
       QMA::schedule(is_paper ? QMA::Schedule::paper : QMA::Schedule::progressive,
