@@ -11,6 +11,7 @@
 #include "quad_adapt/Sizes.h"
 #include "quad_adapt/adapt.h"
 #include "quad_adapt/parse_options.h"
+#include "quad_adapt/refuse.h"
 #include "support/face_fields.h"
 #include "support/print_report.h"
 #include "support/report_json.h"
@@ -23,6 +24,7 @@
 #include <exception>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -41,17 +43,19 @@ struct Inputs
 int read_inputs(const Options& options, Inputs& in)
 {
   QMA::Read_result result = QMA::read_quad_mesh(options.input, in.mesh, in.fields);
-  if(!result.ok()) return refuse(result.message);
+  if(!result.ok()) return refuse(options, "", result);
   in.sets.emplace(in.mesh);
-  const int exit_code = options.ignores_sets ? 0 : in.sets->take(in.fields, result.notes);
-  if(exit_code != 0) return exit_code;
+  if(!options.ignores_sets) {
+    const QMA::Read_result taken = in.sets->take(in.fields, result.notes);
+    if(!taken.ok()) return refuse(options, "", taken);
+  }
   if(QMA::can_hold_fields(options.output)) in.carried.take(in.mesh, in.fields, result.notes);
   if(!options.is_quiet)
     for(const std::string& note : result.notes)
       std::cerr << "quad_adapt: note: " << options.input << ": " << note << '\n';
   if(options.reference.empty()) return 0;
   result = QMA::read_surface(options.reference, in.reference);
-  return result.ok() ? 0 : refuse(result.message);
+  return result.ok() ? 0 : refuse(options, "", result);
 }
 
 // Before the work rather than after it.
@@ -116,7 +120,7 @@ int run(const Options& options)
   const QMA::Adaptation_report report = adapt(options, size, mesh, *in.sets, in.reference, region);
   if(report.status == QMA::Adaptation_status::cancelled)
     return refuse("interrupted, nothing was written", exit_interrupted);
-  if(!report.has_valid_mesh()) return refuse(options.input + ": " + report.message);
+  if(!report.has_valid_mesh()) return refuse(options, options.input + ": ", report);
 
   exit_code = write_outputs(options, size, initial, in, report);
   if(exit_code == exit_interrupted) return refuse("interrupted, nothing was written", exit_code);
@@ -135,6 +139,10 @@ int main(int argc, char** argv)
   if(!parse_options(argc, argv, options, exit_code)) return exit_code;
   try {
     return run(options);
+  } catch(const std::domain_error& error) { // of fields of sizes
+    return refuse(options, "", QMA::Refusal::invalid_size, error.what());
+  } catch(const std::invalid_argument& error) {
+    return refuse(options, "", QMA::Refusal::invalid_parameter, error.what());
   } catch(const std::exception& error) {
     return refuse(std::string("nothing was written: ") + error.what());
   }

@@ -319,7 +319,13 @@ struct Counting_visitor : QMA::Adaptation_visitor
   std::vector<std::string> open;
   std::vector<std::string> seen;
   std::size_t faces = 0;
+  std::vector<double> foretold;
 
+  void foretell(double f)
+  {
+    EXPECT_TRUE(seen.empty()) << "foretold after the work has begun";
+    foretold.push_back(f);
+  }
   void start_phase(const char* name, std::size_t)
   {
     open.push_back(name);
@@ -373,6 +379,22 @@ TEST(Cancelled, ByTheVisitor)
       EXPECT_EQ(c.status, Adaptation_status::cancelled) << n;
       EXPECT_EQ(w.asked, n);
       EXPECT_TRUE(zoo_mesh::is_same(mesh, before)) << n;
+    }
+  }
+}
+
+TEST(Foretold, ToTheVisitorBeforeTheWork)
+{
+  for(QMA::Schedule schedule : { QMA::Schedule::progressive, QMA::Schedule::paper }) {
+    Mesh mesh = plate();
+    Counting_visitor v;
+    const Adaptation_report r = QMA::adapt_quad_mesh(
+        0.3, mesh, QMA::schedule(schedule, CGAL::parameters::visitor(std::ref(v))));
+    if(schedule == QMA::Schedule::paper) {
+      EXPECT_TRUE(v.foretold.empty());
+    } else {
+      EXPECT_EQ(v.foretold, std::vector<double>{ r.expected_number_of_faces });
+      EXPECT_GT(r.expected_number_of_faces, 0);
     }
   }
 }

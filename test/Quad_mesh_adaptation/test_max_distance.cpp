@@ -47,6 +47,24 @@ double farthest_middle(const Shape& s, const Shape& shape)
   return largest;
 }
 
+// The largest distance of many points of the faces of s, evenly spread.
+double farthest_point(const Shape& s, const Shape& of_shape)
+{
+  constexpr int n = 16;
+  const Quad_distances of(of_shape);
+  double largest = 0;
+  for(const Quad& q : s.quads)
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; j <= n; ++j) {
+        const double u = double(i) / n, v = double(j) / n;
+        largest = (std::max)(largest,
+                             off_shape((1 - v) * ((1 - u) * s.points[q[0]] + u * s.points[q[1]]) +
+                                           v * (u * s.points[q[2]] + (1 - u) * s.points[q[3]]),
+                                       of));
+      }
+  return largest;
+}
+
 Adaptation_report expect_within(const Shape& shape, double factor, double part)
 {
   SCOPED_TRACE(shape.name + ", " + std::to_string(part) + " edges");
@@ -82,6 +100,38 @@ TEST(Max_distance, OnMeshesByOthers)
 {
   for(const char* name : { "spot", "pawn", "cylinder_hex", "box_cylinder" })
     expect_within(read_shape(name), 2, 0.1);
+}
+
+// What the report says is what many more points say than it looks at.
+TEST(Max_distance, IsMeasuredBetweenSamples)
+{
+  const Shape cylinder = shape_zoo::open_cylinder(17, 4);
+  for(double size : { 0.2, 0.3, 0.35, 0.4 }) {
+    SCOPED_TRACE(size);
+    Mesh mesh = zoo_mesh::make<Mesh, Point>(cylinder);
+    const Adaptation_report report = QMA::adapt_quad_mesh(size, mesh);
+    mesh.collect_garbage();
+    const Shape result = zoo_mesh::shape_of(mesh);
+    const double there = farthest_point(result, cylinder), back = farthest_point(cylinder, result);
+    EXPECT_GT(report.after.mesh_to_reference, 0.97 * there);
+    EXPECT_GT(report.after.reference_to_mesh, 0.97 * back);
+    EXPECT_LT(report.after.mesh_to_reference, 1.001 * (std::max)(there, back));
+  }
+}
+
+TEST(Max_distance, IsKeptBetweenSamples)
+{
+  const Shape cylinder = shape_zoo::open_cylinder(17, 4);
+  for(double bound : { 0.025, 0.02, 0.015 }) {
+    SCOPED_TRACE(bound);
+    Mesh mesh = zoo_mesh::make<Mesh, Point>(cylinder);
+    const Adaptation_report report = QMA::adapt_quad_mesh(0.3, mesh, QMA::max_distance(bound));
+    mesh.collect_garbage();
+    const Shape result = zoo_mesh::shape_of(mesh);
+    EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_met) << report.message;
+    EXPECT_LE(farthest_point(result, cylinder), 1.01 * bound);
+    EXPECT_LE(farthest_point(cylinder, result), 1.01 * bound);
+  }
 }
 
 // A bound that asks for nothing changes little, and one that does takes more faces.

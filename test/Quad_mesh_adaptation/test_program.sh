@@ -7,6 +7,7 @@
 # the error stream and writes nothing.
 set -u
 program=$(realpath "${1:?usage: test_program.sh PATH_OF_QUAD_ADAPT}")
+meshes=$(realpath "$(dirname "$0")/../../data/meshes")
 manual=$(realpath "$(dirname "$0")/../../doc/Quad_mesh_adaptation/Quad_mesh_adaptation.txt")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -28,7 +29,7 @@ grid() {
     for(j = 0; j < n; ++j) for(i = 0; i < n; ++i)
       print 4, j*(n+1)+i, j*(n+1)+i+1, (j+1)*(n+1)+i+1, (j+1)*(n+1)+i }'
 }
-listing() { find . -type f ! -name '.out' ! -name '.err' -exec md5sum {} + | sort; }
+listing() { find . -type f ! -name '.out' ! -name '.err' ! -name '.report' -exec md5sum {} + | sort; }
 
 # expect CODE PATTERN ARGUMENTS...: exit code, error stream matching; nothing written unless 0 or 3
 expect() {
@@ -49,10 +50,27 @@ expect() {
       ;;
   esac
 }
+# refuse_with_report STATUS REASON PATTERN ARGUMENTS...: the report alone is written, and says why
+refuse_with_report() {
+  local status=$1 reason=$2 pattern=$3 before
+  shift 3
+  checks=$((checks + 1))
+  rm -f report.json
+  before=$(listing)
+  "$program" "$@" --report report.json >.out 2>.err
+  [ $? -eq 1 ] || fail "the exit code is not 1: quad_adapt $*"
+  [ "$(grep -c '' .err)" -eq 1 ] || fail "not one line of message: quad_adapt $*"
+  grep -q "\"status\": \"$status\"" report.json && grep -q "\"reason\": \"$reason\"" report.json &&
+    grep -qiE "\"message\": \".*$pattern" report.json ||
+    fail "report.json does not say $status, $reason and $pattern: quad_adapt $*"
+  mv report.json .report
+  [ "$before" = "$(listing)" ] || fail "more than the report was written: quad_adapt $*"
+}
 # refuse PATTERN TEXT_OF_OFF: a refused input
 refuse() {
   printf '%b' "$2" >bad.off
-  expect 1 "$1" bad.off out.off --size 1 --report report.json --picture picture.svg
+  expect 1 "$1" bad.off out.off --size 1 --picture picture.svg
+  refuse_with_report input_refused '[a-z_]*' "$1" bad.off out.off --size 1 --picture picture.svg
 }
 wrote() { for file in "$@"; do [ -s "$file" ] || fail "$file was not written"; done; }
 
@@ -99,6 +117,15 @@ fi
 # what was put right in the input is said
 printf '%b' "OFF\n5 1 0\n${square}9 9 9\n4 0 1 2 3\n" >lonely.off
 expect 0 'note: .*1 vertex that no face uses' lonely.off out.off --size 1
+# the number of faces is said before the work, and is right where it is small
+awk 'NR > 2 && NF == 3 { print $1, $2, 0.2 * $1 * $1; next } { print }' plate.off >bowl.off
+for size in 1.7 2.1 0.9; do
+  expect 0 '' bowl.off few.off --size "$size" --report few.json
+  said=$(sed -n '1s/^Faces expected beforehand //p' .out)
+  [ "$said" = "$(awk 'NR == 2 { print $2 }' few.off)" ] ||
+    fail "'$said' faces were foretold first, not $(awk 'NR == 2 { print $2 }' few.off)"
+  grep -q "\"expected_number_of_faces\": $said\.0" few.json || fail "few.json foretells others"
+done
 # a size that jumps is graded: said, and many more faces; a gentle one stays as it is
 faces() { awk 'NR == 2 { print $2 }' "$1"; }
 expect 0 '' plate.off jump.off --size-function 'x < 1 ? 0.1 : 2' --quiet
@@ -142,6 +169,11 @@ expect 0 '' bent.off chord.off --chord-error 0.01 --max-size 1 --quiet
 expect 0 '' bent.off within.off --size 1 --max-distance 0.01 --report report.json
 grep -q '"faces_too_far": \[\]' report.json || fail "faces are farther than --max-distance"
 [ "$(faces within.off)" -gt 32 ] || fail "--max-distance has no effect"
+# chord errors hold on a smooth surface as well: its ears bend more than the facets show
+expect 0 '' "$meshes/spot.off" ears.off --chord-error 0.01 --smooth-reference --quick --quiet --report ears.json
+awk -F'[:,]' '/"after"/ { is_after = 1 } is_after && /mesh_to_reference|reference_to_mesh/ { n++; if($2 > 0.011) far++ }
+  END { exit !(n == 2 && !far) }' ears.json || fail "--chord-error does not hold with --smooth-reference"
+grep -q '6 creases of 12 edges.* degrees at (' ears.json || fail "creases that are not kept are not told"
 expect 0 '' bent.off across.off --proximity 3 --max-size 0.7 --quiet
 # only a region, or all but the border
 centres() { awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2 { x[NR - 3] = $1 }
@@ -265,6 +297,7 @@ grep -q '"status": "sizes_not_met"' report.json || fail "report.json does not sa
 rm -f out.* again.* report.json picture.svg
 
 # refused meshes
+printf '%b' "OFF\n5 2 0\n${square}2 0 0\n4 0 1 2 3\n3 1 4 2\n" >triangle.off
 refuse 'face 0 has 3 vertices' "OFF\n4 2 0\n${square}3 0 1 2\n3 0 2 3\n"
 refuse 'shared by 3 faces' "OFF\n8 3 0\n${square}1 0 1\n1 1 1\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 6 7 2\n4 1 4 5 2\n"
 refuse 'share no edge' "OFF\n7 2 0\n${square}2 1 0\n2 2 0\n1 2 0\n4 0 1 2 3\n4 2 4 5 6\n"
@@ -299,8 +332,19 @@ for size in abc 1x '' '1 2'; do
   expect 2 'not a number' plate.off out.off --size "$size"
 done
 for expression in 'x - x' '-1' 'x - 2' 'sqrt(-1 - x)' '1 / (x - x)' '0 / (x - x)' 'ln(x)'; do
-  expect 1 'size' plate.off out.off --size-function "$expression" --report report.json
+  expect 1 'size' plate.off out.off --size-function "$expression"
+  refuse_with_report sizes_refused invalid_size 'size' plate.off out.off --size-function "$expression"
+  [ "$(tr -d ' \n' <.report | grep -c '"place":\[[-0-9.,]*\]')" -eq 1 ] || fail "no place is reported"
 done
+refuse_with_report input_refused unreadable_file 'no such file' missing.off out.off --size 1
+refuse_with_report input_refused not_all_quads 'has 3 vertices' triangle.off out.off --size 1
+grep -q '"entity": 1' .report || fail "the triangle is not named"
+refuse_with_report sizes_refused invalid_size 'finite' plate.off out.off --size -1
+refuse_with_report sizes_refused invalid_size 'limit' plate.off out.off --size 1e-6
+refuse_with_report input_refused unreadable_file 'no such file' plate.off out.off --background missing.ply
+refuse_with_report sizes_refused invalid_size 'size' plate.off out.off --size-function 'x - 2' --gradation 0.2
+refuse_with_report input_refused invalid_parameter 'no face' plate.off out.off --size 1 --region 'x < -2'
+expect 1 'nor is there a report' plate.off out.off --size -1 --report no/such/folder/report.json
 
 # far too many faces: said at once
 for size in 1e-6 1e-160 1e-300; do

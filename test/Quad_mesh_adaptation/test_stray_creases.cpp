@@ -4,6 +4,7 @@
 #include "support/state_fixture.h"
 
 #include <CGAL/Quad_mesh_adaptation/internal/No_constraints.h>
+#include <CGAL/Quad_mesh_adaptation/internal/advise_on_stray_creases.h>
 #include <CGAL/Quad_mesh_adaptation/internal/core_calls.h>
 #include <CGAL/Quad_mesh_adaptation/internal/feature_edges.h>
 #include <CGAL/Simple_cartesian.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -134,6 +136,25 @@ TEST(Stray_creases, ACoarseRoundIsNone)
   const Adaptation_state s = make_state(round_roof(), at(40));
   ASSERT_GE(edges_turning(s, 40), 3u) << "else this shows nothing";
   EXPECT_EQ(inner_feature_edges(s), 0u);
+}
+
+// Those taken back are counted, and the sharpest is told where it is.
+TEST(Stray_creases, ThoseTakenBackAreTold)
+{
+  CGAL::Quad_mesh_adaptation::Adaptation_report report;
+  core::advise_on_stray_creases(make_state(sharp_roof(), at(40)), report);
+  EXPECT_TRUE(report.advice.empty()) << report.advice[0];
+  const Adaptation_state s = make_state(round_roof(), at(40));
+  const core::Creases_taken_back& taken = s.creases_taken_back;
+  EXPECT_EQ(taken.edges, edges_turning(s, 40));
+  EXPECT_GE(taken.creases, 1u);
+  EXPECT_NEAR(taken.turn, 44.6 * core::pi / 180, 0.01); // twice atan(0.41)
+  EXPECT_EQ(taken.where.x(), 6);
+  EXPECT_LT(taken.where.y(), 17);
+  core::advise_on_stray_creases(s, report);
+  ASSERT_EQ(report.advice.size(), 1u);
+  EXPECT_NE(report.advice[0].find("turns by 45 degrees at (6, "), std::string::npos)
+      << report.advice[0];
 }
 
 // The upper crease makes the lower one no less of a crease.

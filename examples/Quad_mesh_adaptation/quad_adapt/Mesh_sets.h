@@ -37,8 +37,8 @@ public:
   {
   }
 
-  /// 0, or the exit code after having said why.  `notes`: what is found, and what is left out.
-  int take(const QMA::Mesh_fields& fields, std::vector<std::string>& notes)
+  /// Refused where a patch is no number.  `notes`: what is found, and what is left out.
+  QMA::Read_result take(const QMA::Mesh_fields& fields, std::vector<std::string>& notes)
   {
     patch_names_ = fields.patch_names;
     if(const auto* patches = QMA::Mesh_fields::find(fields.face, QMA::patch_field)) {
@@ -46,7 +46,10 @@ public:
       for(const Mesh::Face_index f : mesh_.faces()) {
         put(patch_, f, patches->values[f]);
         if(!std::isfinite(patches->values[f]))
-          return refuse("the patch of face " + std::to_string(f) + " is not a finite number");
+          return { QMA::Refusal::invalid_parameter,
+                   "the patch of face " + std::to_string(f) + " is not a finite number",
+                   long(f),
+                   {} };
       }
     }
     if(const auto* fixed = QMA::Mesh_fields::find(fields.vertex, fixed_field)) {
@@ -56,7 +59,7 @@ public:
     mark(fields.edges, notes);
     const std::string kept = summary();
     if(!kept.empty()) notes.push_back(kept + "; --ignore-sets leaves them out");
-    return 0;
+    return {};
   }
 
   Patch_map patches() const { return patch_; }

@@ -15,7 +15,9 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <string>
+#include <utility>
 
 // Set by the first Ctrl-C; a second one ends the program at once.
 inline volatile std::sig_atomic_t is_interrupted = 0;
@@ -50,6 +52,13 @@ public:
   explicit Progress(bool is_quiet) : is_shown_(!is_quiet && is_on_terminal()) {}
   ~Progress() { clear(); }
 
+  /// What to do with the number of faces that is foretold.
+  void when_foretold(std::function<void(double)> action) { when_foretold_ = std::move(action); }
+
+  void foretell(double faces)
+  {
+    if(when_foretold_) when_foretold_(faces);
+  }
   void start_phase(const char* name, std::size_t iteration)
   {
     phase_ = name;
@@ -95,6 +104,7 @@ private:
   double fraction_ = 0;
   std::size_t iteration_ = 0, faces_ = 0;
   std::string phase_, shown_;
+  std::function<void(double)> when_foretold_;
 };
 
 #endif // QUAD_ADAPT_PROGRESS_H

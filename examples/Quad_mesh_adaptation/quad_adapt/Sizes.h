@@ -6,6 +6,7 @@
 
 #include "Options.h"
 #include "Size_expression.h"
+#include "refuse.h"
 
 #include <CGAL/Quad_mesh_adaptation/Curvature_sizing_field.h>
 #include <CGAL/Quad_mesh_adaptation/Error_sizing_field.h>
@@ -33,13 +34,6 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Size_function = std::function<double(const Point&)>;
 
-/// Says why on the error stream.
-inline int refuse(const std::string& message, int exit_code = exit_refused)
-{
-  std::cerr << "quad_adapt: " << message << '\n';
-  return exit_code;
-}
-
 /// Of all sizes the smallest counts.
 template <class Sizing>
 void add_size(const Sizing& more, Size_function& size)
@@ -47,14 +41,16 @@ void add_size(const Sizing& more, Size_function& size)
   size = size ? Size_function(QMA::Minimum_sizing_field(size, more)) : Size_function(more);
 }
 
-inline int read_number(const std::string& text, Size_function& size)
+inline int read_number(const Options& options, Size_function& size)
 {
+  const std::string& text = *options.size;
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if(text.find_first_not_of(" \t") == std::string::npos || *end != 0)
     return refuse("--size: \"" + text + "\" is not a number", exit_wrong_usage);
   if(!(value > 0) || !std::isfinite(value))
-    return refuse("--size: " + text + " is not a positive finite length");
+    return refuse(options, "--size: ", QMA::Refusal::invalid_size,
+                  text + " is not a positive finite length");
   size = [value](const Point&) { return value; };
   return 0;
 }
@@ -63,7 +59,7 @@ inline int read_number(const std::string& text, Size_function& size)
 inline int read_given_sizes(const Options& options, Size_function& size)
 {
   if(options.size) {
-    const int exit_code = read_number(*options.size, size);
+    const int exit_code = read_number(options, size);
     if(exit_code != 0) return exit_code;
   }
   if(options.size_function) {
@@ -76,7 +72,7 @@ inline int read_given_sizes(const Options& options, Size_function& size)
   if(options.background.empty()) return 0;
   std::optional<QMA::Nodal_sizing_field> field;
   const QMA::Read_result result = QMA::read_nodal_sizes(options.background, field);
-  if(!result.ok()) return refuse("--background: " + result.message);
+  if(!result.ok()) return refuse(options, "--background: ", result);
   add_size(*field, size);
   return 0;
 }
@@ -123,10 +119,11 @@ inline int add_sizes_of_error(const Options& options, const Mesh& mesh,
                    target_of(options), how),
                size);
     else
-      return refuse("--error: " + options.input + " has no property \"" + *options.error_property +
-                    "\" at its faces or vertices");
+      return refuse(options, "--error: ", QMA::Refusal::invalid_parameter,
+                    options.input + " has no property \"" + *options.error_property +
+                        "\" at its faces or vertices");
   } catch(const std::invalid_argument& error) {
-    return refuse("--error: " + std::string(error.what()));
+    return refuse(options, "--error: ", QMA::Refusal::invalid_parameter, error.what());
   }
   return 0;
 }

@@ -159,7 +159,8 @@ inline void describe_sizes(CLI::App& app, Options& options)
   sizes
       ->add_option("--chord-error", options.chord_error,
                    "Faces that leave the surface by at most about this distance; creases do\n"
-                   "not count, nor, without --reference, do marked edges and patch borders")
+                   "not count, nor, without --reference, do marked edges and patch borders;\n"
+                   "with --smooth-reference and no --min-size like --max-distance 1.1 E, too")
       ->type_name("E")
       ->check(number_from(0))
       ->excludes(circle);
@@ -274,7 +275,8 @@ inline void describe_options(CLI::App& app, Options& options)
       "  quad_adapt part.obj coarse.obj --size 2.5 --reference part_fine.ply --picture part.svg\n"
       "Exit codes:\n"
       "  0    the mesh was written, all sizes are met, and --max-distance\n"
-      "  1    input or sizes refused, or an output cannot be written: nothing was written\n"
+      "  1    input or sizes refused, or an output cannot be written: nothing was written but\n"
+      "       --report where something was refused\n"
       "  2    wrong usage\n"
       "  3    a valid mesh was written, but some faces are larger than asked, or farther\n"
       "       from the surface than --max-distance\n"

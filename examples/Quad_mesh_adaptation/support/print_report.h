@@ -143,8 +143,6 @@ inline void print_report(std::ostream& out,
     out << '\n';
     print_poor_faces(out, report);
     print_times(out, report);
-    if(report.expected_number_of_faces > 0)
-      out << format("Faces expected beforehand %.0f\n", report.expected_number_of_faces);
   }
   for(const std::string& sentence : report.advice) out << "Note: " << sentence << '\n';
   out << "Result " << name_of(report.status) << ", " << report.iterations

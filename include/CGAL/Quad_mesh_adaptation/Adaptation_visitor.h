@@ -13,6 +13,9 @@ namespace Quad_mesh_adaptation {
 /// Pass it as `.visitor(std::ref(my_visitor))`.
 struct Adaptation_visitor
 {
+  /// The work begins, and about so many faces will come out, see
+  /// `Adaptation_report::expected_number_of_faces`; told where that is foretold, once.
+  void foretell(double /*faces*/) {}
   /// A phase of the driver starts ("coarsening", "refinement", "clean-up", "smoothing" ...).
   void start_phase(const char* /*name*/, std::size_t /*iteration*/) {}
   /// It ended; the mesh has `faces` faces now.

@@ -12,6 +12,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Smoothing_weights.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Workers.h>
 #include <CGAL/Quad_mesh_adaptation/internal/face_energy.h>
+#include <CGAL/Quad_mesh_adaptation/internal/stray_creases.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,10 +41,11 @@ struct Adaptation_state : Run_record, Sized_mesh
                                                                    // distance_guard.h
   Smoothing_weights smoothing;
 
-  Workers workers;              // for what can be done side by side
-  std::size_t copies = 1;       // mirror images that make the whole mesh
-  int order = 0;                // of walks, see Walk: other ways to choose among equals
-  std::size_t turned_faces = 0; // of a curved input: upside down, in tangles
+  Workers workers;                       // for what can be done side by side
+  std::size_t copies = 1;                // mirror images that make the whole mesh
+  int order = 0;                         // of walks, see Walk: other ways to choose among equals
+  std::size_t turned_faces = 0;          // of a curved input: upside down, in tangles
+  Creases_taken_back creases_taken_back; // of the input
 
   Facing reference_normal(Index f) const
   {

@@ -10,6 +10,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/adapt_within_bound.h>
 #include <CGAL/Quad_mesh_adaptation/internal/advise_on_reference.h>
 #include <CGAL/Quad_mesh_adaptation/internal/advise_on_result.h>
+#include <CGAL/Quad_mesh_adaptation/internal/advise_on_stray_creases.h>
 #include <CGAL/Quad_mesh_adaptation/internal/judge_sizes.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_size_growth.h>
 #include <CGAL/Quad_mesh_adaptation/internal/measure_state.h>
@@ -102,6 +103,7 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void Core_run::describe_input()
 {
   count_features(s_, report_);
   advise_on_tangles(s_, report_);
+  advise_on_stray_creases(s_, report_);
   if(run.reference) advise_on_reference(run.in, s_, report_);
 }
 
@@ -127,9 +129,11 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void Core_run::measure_input()
 CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void Core_run::work(bool keeps_symmetry,
                                                         const State_algorithm& algorithm)
 {
-  if(kind_.is_foretold)
+  if(kind_.is_foretold) {
     report_.expected_number_of_faces =
         expected_faces(s_, ideal_, report_.size_growth.mean_square_slope, scale_of(run.aim));
+    s_.foretell(report_.expected_number_of_faces);
+  }
   const bool mirrors = kind_.keeps_symmetry && keeps_symmetry;
   adapt_within_bound(run, run.mirror_goal(mirrors, ideal_, kind_.is_foretold), algorithm);
   frozen_->put_sizes_back();

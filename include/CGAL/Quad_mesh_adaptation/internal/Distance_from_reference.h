@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_FROM_REFERENCE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_climb.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Largest_distance.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_triangles.h>
 #include <CGAL/Quad_mesh_adaptation/internal/own_triangles.h>
@@ -35,6 +36,8 @@ public:
     return is_careful_ ? care_ : largest.threshold();
   }
   bool is_careful() const { return is_careful_; }
+  // Is it known of a face by such a distance that it needs care?
+  bool has_more_than_care(double d) const { return is_careful_ && d > care_; }
   double operator[](Index f) const { return of_face_[f]; }
 
   void note(Index f, double d, Largest_distance& largest)
@@ -55,8 +58,10 @@ class Distance_from_reference
 public:
   // `is_own`: is a face two triangles of the reference?
   Distance_from_reference(const Adaptation_state& s, const std::vector<char>& is_own,
-                          Distances_by_face& by_face, Largest_distance& largest)
-      : s_(s), is_own_(is_own), by_face_(by_face), largest_(largest)
+                          Distances_by_face& by_face, Largest_distance& largest,
+                          Between_samples between)
+      : s_(s), is_own_(is_own), by_face_(by_face), largest_(largest),
+        climb_(between, by_face.is_careful())
   {
   }
 
@@ -147,17 +152,60 @@ private:
         if(foot_[v] < 0) foot_[v] = hint;
       return;
     }
-    const int n = s_.surface.has_lift() ? 4 : 2;
+    const int n = samples_on_side(c, hint);
+    Farthest_sample farthest;
+    const auto measure = [&](double a, double b) {
+      farthest.note(measure_back(at(c, a, b), t, hint), { a, b }, hint);
+    };
     for(int i = 0; i <= n; ++i)
       for(int j = 0; i + j <= n; ++j) {
         const int k = n - i - j, corner = i == n ? 0 : j == n ? 1 : k == n ? 2 : -1;
         if(corner >= 0 && foot_[corners[corner]] >= 0) continue;
-        measure_back((double(i) / n) * c[0] + (double(j) / n) * c[1] + (double(k) / n) * c[2], t,
-                     hint);
+        measure(double(i) / n, double(j) / n);
         if(corner >= 0) foot_[corners[corner]] = hint;
       }
-    measure_back((c[0] + c[1] + c[2]) / 3, t, hint);
+    measure(1. / 3, 1. / 3);
+    const double d = farthest.distance;
+    if(climb_.is_any() && d > enough_at_sample() && !by_face_.has_more_than_care(d))
+      measure_between(c, t, farthest, 0.5 / n);
   }
+
+  // More where there are several faces to a triangle.
+  int samples_on_side(const std::array<Vec, 3>& c, Index hint) const
+  {
+    constexpr double per_edge = 1.5, most = 64;
+    const int few = s_.surface.has_lift() ? 4 : 2;
+    if(!climb_.is_any() || hint < 0) return few;
+    const double side =
+        (std::max)({ distance(c[0], c[1]), distance(c[1], c[2]), distance(c[2], c[0]) });
+    const double edge = mean_edge_length(s_.corners(face_of_[hint / 2]));
+    return edge > 0 ? (std::max)(few, int((std::min)(most, per_edge * side / edge))) : few;
+  }
+
+  static Vec at(const std::array<Vec, 3>& c, double a, double b)
+  {
+    return a * c[0] + b * c[1] + (1 - a - b) * c[2];
+  }
+
+  // Between the samples of triangle t.
+  void measure_between(const std::array<Vec, 3>& c, Index t, const Farthest_sample& farthest,
+                       double step)
+  {
+    constexpr std::array<Distance_climb::Place, 6> moves = {
+      { { 1, 0 }, { 0, 1 }, { -1, 1 }, { -1, 0 }, { 0, -1 }, { 1, -1 } }
+    };
+    Index hint = farthest.hint;
+    const Distance_climb::Place p =
+        climb_(farthest.place, farthest.distance, step, moves,
+               [&](const Distance_climb::Place& to, double d) {
+                 if(to[0] < 0 || to[1] < 0 || to[0] + to[1] > 1) return -1.;
+                 return mesh_.distance_from(s_.surface.lifted(at(c, to[0], to[1]), t), d, hint);
+               });
+    if(p != farthest.place) measure_back(at(c, p[0], p[1]), t, hint);
+  }
+
+  // A sample that is no farther off does not matter, nor do the points near it, most likely.
+  double enough_at_sample() const { return by_face_.enough(largest_) / climb_.likely_gain(); }
 
   // Are all points of a triangle so near to the mesh that they do not matter?  One look tells it of
   // most where the mesh is much coarser than the reference.
@@ -167,20 +215,23 @@ private:
     const Vec centre = (c[0] + c[1] + c[2]) / 3;
     const double radius =
         (std::max)({ distance(c[0], centre), distance(c[1], centre), distance(c[2], centre) });
-    const double enough = largest_.threshold() - radius;
+    const double enough = enough_at_sample() - radius;
     return enough > radius && mesh_.distance_from(centre, enough, hint) <= enough;
   }
 
-  void measure_back(Vec p, Index t, Index& hint)
+  // Returns the distance, or something that does not matter.
+  double measure_back(Vec p, Index t, Index& hint)
   {
     const Vec direction = s_.surface.normal(t);
     p = s_.surface.lifted(p, t);
     if(hint < 0) hint = mesh_.find(p, -1, direction);
     const double enough = by_face_.enough(largest_);
-    double d = mesh_.distance_from(p, enough, hint);
+    double d = mesh_.distance_from(p, enough_at_sample(), hint);
     if(!by_face_.is_careful() && !asks_tree_) {
-      if(d > enough) largest_.doubt(walked_anew(p, t, d, hint), p, -1, direction);
-      return;
+      if(!(d > enough)) return d;
+      d = walked_anew(p, t, d, hint);
+      largest_.doubt(d, p, -1, direction);
+      return d;
     }
     if(d > enough && !(by_face_.is_careful() && d <= by_face_[face_of_[hint / 2]])) {
       Index nearer = mesh_.find_nearer(p, -1, direction, d);
@@ -190,6 +241,7 @@ private:
       }
     }
     by_face_.note(face_of_[hint / 2], d, largest_);
+    return d;
   }
 
   // A walk that seems to end far off may have been lost from the triangle before on: so it is done
@@ -208,6 +260,7 @@ private:
   const std::vector<char>& is_own_;
   Distances_by_face& by_face_;
   Largest_distance& largest_;
+  Distance_climb climb_;
   bool asks_tree_ = false;
   Reference_surface mesh_;      // the faces, each cut in two
   std::vector<Index> face_of_;  // of each pair of triangles

@@ -5,6 +5,7 @@
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_MEASURE_H
 
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Distance_climb.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_from_reference.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Face_figures.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Largest_distance.h>
@@ -29,21 +30,23 @@ namespace internal {
 // A distance is the one within the patch.  It is found by walking, over the surface or over the
 // mesh, which may stop too far away; where that gives more than `care` for its face a tree is
 // asked. Without `care` only the largest counts: walks end where it cannot be, and those that may
-// be it are looked at again in the end.
+// be it are looked at again in the end.  From the farthest sample of a face or a triangle the
+// distance is followed upwards, where that may come to matter.
 class Distance_measure
 {
 public:
   // `own`: the farthest of the faces that an input which is its own reference has had.
   explicit Distance_measure(const Adaptation_state& s, double care = only_largest,
-                            const std::optional<Farthest_face>& own = std::nullopt)
-      : s_(s), by_face_(s.mesh.face_end(), care)
+                            const std::optional<Farthest_face>& own = std::nullopt,
+                            Between_samples between = Between_samples::climbed)
+      : s_(s), by_face_(s.mesh.face_end(), care), climb_(between, by_face_.is_careful())
   {
     measure_curves();
     if(s_.surface.is_planar()) return;
     is_own_ = faces_with_own_triangles(s_);
     use(own);
     measure_faces();
-    Distance_from_reference(s_, is_own_, by_face_, from_reference_)();
+    Distance_from_reference(s_, is_own_, by_face_, from_reference_, between)();
   }
 
   // No face needs care.
@@ -99,13 +102,41 @@ private:
     const Corners p = s_.corners(f);
     if(is_near_own_triangles(f, p)) return;
     Index hint = triangle_near(f, p[0]);
+    Farthest_sample farthest;
     for(int k = 0; k < 9; ++k) {
       const Index h = 4 * f + k - 5, o = k < 5 ? Index(-1) : m.opposite(h);
       if(k >= 5 && (m.curve(h) >= 0 || o > h)) continue; // measured as a curve, or over there
-      const double u = at[k][0], v = at[k][1];
-      const Vec q = (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * (u * p[2] + (1 - u) * p[3]);
-      measure_to_surface(q, f, o < 0 ? f : m.face(o), hint);
+      const double d =
+          measure_to_surface(bilinear(p, at[k][0], at[k][1]), f, o < 0 ? f : m.face(o), hint);
+      farthest.note(d, { at[k][0], at[k][1] }, hint);
     }
+    const double d = farthest.distance;
+    if(climb_.is_any() && d > enough_at_sample() && !by_face_.has_more_than_care(d))
+      measure_between(f, p, farthest);
+  }
+
+  // A sample that is no farther off does not matter, nor do the points near it, most likely.
+  double enough_at_sample() const { return by_face_.enough(to_reference_) / climb_.likely_gain(); }
+
+  static Vec bilinear(const Corners& p, double u, double v)
+  {
+    return (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * (u * p[2] + (1 - u) * p[3]);
+  }
+
+  // Between the samples of face f.
+  void measure_between(Index f, const Corners& p, const Farthest_sample& farthest)
+  {
+    constexpr std::array<Distance_climb::Place, 8> moves = {
+      { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } }
+    };
+    Index hint = farthest.hint;
+    const Distance_climb::Place q =
+        climb_(farthest.place, farthest.distance, 0.25, moves,
+               [&](const Distance_climb::Place& to, double d) {
+                 if((std::min)(to[0], to[1]) < 0 || (std::max)(to[0], to[1]) > 1) return -1.;
+                 return s_.surface.distance_from(bilinear(p, to[0], to[1]), d, hint);
+               });
+    if(q != farthest.place) measure_to_surface(bilinear(p, q[0], q[1]), f, f, hint);
   }
 
   // The first faces that have no corner on the surface do not make it build a tree.
@@ -143,18 +174,20 @@ private:
     return 0.5 * std::abs((p[0] - p[1] + p[2] - p[3]) * n) / norm(n);
   }
 
-  // Of a point of faces f and g.  Walking over the surface may stop at a border or behind a fold,
-  // too far away.
-  void measure_to_surface(const Vec& q, Index f, Index g, Index& hint)
+  // Of a point of faces f and g; returns the distance, or something that does not matter.  Walking
+  // over the surface may stop at a border or behind a fold, too far away.
+  double measure_to_surface(const Vec& q, Index f, Index g, Index& hint)
   {
     const double enough = by_face_.enough(to_reference_);
-    double d = s_.surface.distance_from(q, enough, hint);
-    if(d <= enough && !by_face_.is_careful()) return; // it may be less, but does not matter
+    double d = s_.surface.distance_from(q, enough_at_sample(), hint);
+    if(d <= enough && !by_face_.is_careful()) return d; // it may be less, but does not matter
     if(d > enough) {
       const Index patch = s_.reference_patch_of(f);
       const Vec direction = area_vector(s_.corners(f));
-      if(!by_face_.is_careful() && !asks_tree_)
-        return to_reference_.doubt(d, q, patch, direction, f);
+      if(!by_face_.is_careful() && !asks_tree_) {
+        to_reference_.doubt(d, q, patch, direction, f);
+        return d;
+      }
       Index nearer = s_.surface.find_nearer(q, patch, direction, d);
       if(nearer >= 0) {
         hint = nearer;
@@ -163,6 +196,7 @@ private:
     }
     by_face_.note(f, d, to_reference_);
     by_face_.note(g, d, to_reference_);
+    return d;
   }
 
   void measure_curves()
@@ -191,6 +225,7 @@ private:
 
   const Adaptation_state& s_;
   Distances_by_face by_face_;
+  Distance_climb climb_;
   bool asks_tree_ = false, is_own_known_ = false;
   int scans_left_ = 8; // of all triangles, each takes a few per cent of building a tree
   Largest_distance to_reference_, from_reference_;

@@ -89,7 +89,7 @@ public:
     set_curves(detected, 0);
     State_with_creases surface{ s_, areas };
     Tangled_nodes<State_with_creases>(surface, detected, cos_)();
-    Stray_creases<State_with_creases>(surface, detected)();
+    s_.creases_taken_back = Stray_creases<State_with_creases>(surface, detected)();
   }
 
   void mark_corners()

@@ -28,6 +28,7 @@ struct Run_record
 
   void check_cancelled() const { report_progress(progress); }
 
+  std::function<void(double)> foretell = [](double) {}; // told the faces expected before the work
   // Told when a phase starts (name, iteration) and ends (name, faces).
   std::function<void(const char*, std::size_t)> start_phase = [](const char*, std::size_t) {};
   std::function<void(const char*, std::size_t)> end_phase = [](const char*, std::size_t) {};

@@ -172,6 +172,7 @@ void observe(const NamedParameters& np, Adaptation_state& s, Phase_clock& clock)
     *furthest = (std::max)(*furthest, progress);
     if(!unwrap(*visitor).go_further() || (callback && !callback(*furthest))) throw Cancelled();
   };
+  s.foretell = [visitor](double faces) { unwrap(*visitor).foretell(faces); };
   s.start_phase = [visitor, &clock](const char* name, std::size_t iteration) {
     clock.start(name);
     unwrap(*visitor).start_phase(name, iteration);

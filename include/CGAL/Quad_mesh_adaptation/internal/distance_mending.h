@@ -53,7 +53,7 @@ struct Far_faces
 inline bool split_faces_too_far(Adaptation_state& s, const Improvement_options& careful)
 {
   constexpr int max_rounds = 12, most_in_vain = 4; // in a row
-  constexpr double guarded = 0.9; // of the bound, since the guard looks at few points
+  constexpr double guarded = 0.8; // of the bound, since the guard looks at few points
   const double allowed = s.max_distance;
   std::optional<Mesh_keeper> best;
   double least = 0;

@@ -14,15 +14,24 @@ namespace CGAL {
 namespace Quad_mesh_adaptation {
 namespace internal {
 
+// Detected creases that are none.
+struct Creases_taken_back
+{
+  std::size_t creases = 0, edges = 0;
+  double turn = 0;          // of the sharpest edge, in radians
+  Vec where = Vec(0, 0, 0); // its middle
+};
+
 // Where a smooth surface is meshed coarsely it turns by much at single edges, and those look like
 // creases that end somewhere on the surface.  A detected crease with such a free end is one only if
 // it turns much more than the rows of edges beside it; else it is taken back.  Creases beside it
 // that have no free end are none of that: two of them may run close to each other along a step.
 //
-// Surface: a mesh whose half-edges have `origin`, `target`, `opposite` (negative on the border),
-// `across` (the one on the other side of the face, negative where there is no such), `turn` of the
-// surface across them in radians, and `length`; `is_feature` says which are features and `forget`
-// makes an edge none; the vertices that `is_held` says are kept whatever meets there.
+// Surface: a mesh with the `point` of a vertex, whose half-edges have `origin`, `target`,
+// `opposite` (negative on the border), `across` (the one on the other side of the face, negative
+// where there is no such), `turn` of the surface across them in radians, and `length`; `is_feature`
+// says which are features and `forget` makes an edge none; the vertices that `is_held` says are
+// kept whatever meets there.
 template <typename Surface>
 class Stray_creases
 {
@@ -40,22 +49,24 @@ public:
       }
   }
 
-  // Takes stray creases back, branch by branch; returns the number of edges.
-  std::size_t operator()()
+  // Takes stray creases back, branch by branch.
+  Creases_taken_back operator()()
   {
     std::vector<Index> ends;
     for(Index v = 0; v < Index(edges_at_.size()); ++v)
       if(is_free_end(v)) ends.push_back(v);
     is_suspect_.assign(std::size_t(s_.halfedge_end()), 0);
     for(Index v : ends) suspect(branch_from(v));
-    std::size_t removed = 0;
+    Creases_taken_back removed;
     while(!ends.empty()) {
       const Index v = ends.back();
       ends.pop_back();
       if(!is_free_end(v)) continue;
       const std::vector<Index> branch = branch_from(v);
       if(stands_out_from_sides(branch)) continue;
+      ++removed.creases;
       for(const Index h : branch) {
+        note(h, removed);
         remove(h);
         // where branches met there may be a free end now
         for(const Index u : { s_.origin(h), s_.target(h) })
@@ -64,7 +75,6 @@ public:
             suspect(branch_from(u));
           }
       }
-      removed += branch.size();
     }
     return removed;
   }
@@ -111,6 +121,15 @@ private:
       beside += l * (std::max)(turn_beside(s_.across(h)), turn_beside(s_.across(s_.opposite(h))));
     }
     return own >= stands_out * beside;
+  }
+
+  void note(Index h, Creases_taken_back& removed) const
+  {
+    ++removed.edges;
+    const double turn = s_.turn(h);
+    if(!(turn > removed.turn)) return;
+    removed.turn = turn;
+    removed.where = 0.5 * (s_.point(s_.origin(h)) + s_.point(s_.target(h)));
   }
 
   void remove(Index h)

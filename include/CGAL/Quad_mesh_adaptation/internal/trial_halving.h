@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +28,8 @@ inline std::vector<Index> faces_off_the_surface(const Adaptation_state& s)
   if(s.surface.is_planar() && s.curves.empty()) return faces;
   std::vector<double> allowed(s.mesh.face_end(), (std::numeric_limits<double>::infinity)());
   for(Index f : s.mesh.faces()) allowed[f] = far * mean_edge_length(s.corners(f));
-  const Distance_measure distances(s, *std::min_element(allowed.begin(), allowed.end()));
+  const Distance_measure distances(s, *std::min_element(allowed.begin(), allowed.end()),
+                                   std::nullopt, Between_samples::left_out);
   s.surface.forget_tree();
   for(Index f : s.mesh.faces())
     if(distances.of(f) > allowed[f]) faces.push_back(f);
