@@ -173,7 +173,7 @@ private:
   // More where there are several faces to a triangle.
   int samples_on_side(const std::array<Vec, 3>& c, Index hint) const
   {
-    constexpr double per_edge = 1.5, most = 64;
+    constexpr double per_edge = 0.8, most = 64;
     const int few = s_.surface.has_lift() ? 4 : 2;
     if(!climb_.is_any() || hint < 0) return few;
     const double side =
