@@ -31,7 +31,8 @@ public:
 
   // `of_each`: what matters is known of each face, not only the largest of all.
   Distance_climb(Between_samples between, bool of_each)
-      : is_any_(between == Between_samples::climbed), least_(of_each ? 1.25 : 1.02)
+      : is_any_(between == Between_samples::climbed), least_(of_each ? 1.25 : 1.02),
+        most_(of_each ? 2 : 1.25)
   {
   }
 
@@ -41,7 +42,7 @@ public:
   double likely_gain() const
   {
     if(!is_any_) return 1;
-    return climbs_ < enough_climbs ? most : std::clamp(1 + 1.5 * (gain_ - 1), least_, most);
+    return climbs_ < enough_climbs ? most_ : std::clamp(1 + 1.5 * (gain_ - 1), least_, most_);
   }
 
   // The farthest place from `at` on, where it is `d`.  `moves`: unit steps; `off(place, d)`: the
@@ -70,11 +71,10 @@ public:
   }
 
 private:
-  static constexpr double most = 2;
   static constexpr std::size_t enough_climbs = 64; // to know what is gained
 
   bool is_any_;
-  double least_, gain_ = 1; // `least_`: what is never left out of account
+  double least_, most_, gain_ = 1; // bounds for what is taken into account
   std::size_t climbs_ = 0;
 };
 

@@ -56,12 +56,13 @@ private:
 class Distance_from_reference
 {
 public:
-  // `is_own`: is a face two triangles of the reference?
+  // `is_own`: is a face two triangles of the reference?  Without care for each face nothing is
+  // looked for between samples: walks that went astray would be followed, too, and be too many.
   Distance_from_reference(const Adaptation_state& s, const std::vector<char>& is_own,
                           Distances_by_face& by_face, Largest_distance& largest,
                           Between_samples between)
       : s_(s), is_own_(is_own), by_face_(by_face), largest_(largest),
-        climb_(between, by_face.is_careful())
+        climb_(by_face.is_careful() ? between : Between_samples::left_out, true)
   {
   }
 
@@ -170,10 +171,10 @@ private:
       measure_between(c, t, farthest, 0.5 / n);
   }
 
-  // More where there are several faces to a triangle.
+  // More where there are several faces to a triangle and each of them counts.
   int samples_on_side(const std::array<Vec, 3>& c, Index hint) const
   {
-    constexpr double per_edge = 0.8, most = 64;
+    constexpr double per_edge = 1.5, most = 64;
     const int few = s_.surface.has_lift() ? 4 : 2;
     if(!climb_.is_any() || hint < 0) return few;
     const double side =
