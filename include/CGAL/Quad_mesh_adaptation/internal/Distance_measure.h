@@ -30,8 +30,8 @@ namespace internal {
 // A distance is the one within the patch.  It is found by walking, over the surface or over the
 // mesh, which may stop too far away; where that gives more than `care` for its face a tree is
 // asked. Without `care` only the largest counts: walks end where it cannot be, and those that may
-// be it are looked at again in the end.  From the farthest sample of a face or a triangle the
-// distance is followed upwards, where that may come to matter.
+// be it are looked at again in the end.  From the farthest sample of a face, and with `care` of a
+// triangle, the distance is followed upwards, where that may come to matter.
 class Distance_measure
 {
 public:

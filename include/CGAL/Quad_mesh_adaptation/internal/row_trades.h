@@ -45,9 +45,9 @@ private:
     const double least = clearly * demerits(s_);
     const Index faces = s_.mesh.number_of_faces();
     const std::vector<char> kept = curves_that_kept_length(s_);
-    for(std::size_t i = 0; i < chords().size(); ++i) {
+    for(const Chord& c : chords()) { // they stay the same while the mesh is restored
       Mesh_keeper before(s_);
-      if(take_out(chords()[i]) && is_better_with_another(faces, least, kept)) return true;
+      if(take_out(c) && is_better_with_another(faces, least, kept)) return true;
       before.restore();
       if(work_left_ < 0) return false;
     }
@@ -57,8 +57,8 @@ private:
   // After a row has gone: another one in, with less faces than there were.
   bool is_better_with_another(Index faces, double least, const std::vector<char>& kept)
   {
-    for(std::size_t i = 0; i < chords().size() && work_left_ >= 0; ++i) {
-      const Chord c = chords()[i];
+    for(const Chord& c : chords()) {
+      if(work_left_ < 0) return false;
       if(s_.mesh.number_of_faces() + Index(c.faces.size()) >= faces) continue;
       Mesh_keeper before(s_);
       if(put_in(c) && are_sizes_met() && demerits(s_) < least && have_kept_length(s_, kept))
@@ -68,7 +68,7 @@ private:
     return false;
   }
 
-  // One half-edge of each, in order of their numbers.
+  // All of them, in the order of their first half-edges.
   std::vector<Chord> chords() const
   {
     const Quad_complex& m = s_.mesh;
