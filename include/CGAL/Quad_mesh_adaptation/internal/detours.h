@@ -4,9 +4,9 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOURS_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DETOURS_H
 
+#include <CGAL/Quad_mesh_adaptation/internal/Kept_shape.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_bends.h>
-#include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
 #include <CGAL/Quad_mesh_adaptation/internal/octaves.h>
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/total_energy.h>
@@ -139,7 +139,7 @@ private:
   void try_way(Start start, int order, bool with_detours, double dear = 1)
   {
     const double least = clearly * demerits(s_);
-    const std::vector<char> kept = curves_that_kept_length(s_); // by the best
+    if(!kept_) kept_.emplace(s_);
     best_.emplace(s_);
     Mesh_keeper(given_).restore();
     s_.order = order;
@@ -154,7 +154,10 @@ private:
     s_.forget_energies();
     s_.order = 0;
     // a coarser start leaves nodes beside the bends of curves; they do not always find back
-    if(demerits(s_) >= least || !have_kept_length(s_, kept) || misses_sizes()) best_->restore();
+    if(demerits(s_) >= least || misses_sizes() || !kept_->is_kept_by(s_))
+      best_->restore();
+    else
+      kept_->update(s_);
   }
 
   // From a mesh for twice the sizes: it has too few faces, and none where they do no good.  The
@@ -200,6 +203,7 @@ private:
   const Demand asked_;
   const bool is_fine_, is_frozen_; // the given mesh
   std::optional<Mesh_keeper> best_;
+  std::optional<Kept_shape> kept_; // by the best so far
 };
 
 } // namespace internal

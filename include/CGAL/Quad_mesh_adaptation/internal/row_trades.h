@@ -6,8 +6,8 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Cavity.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Chord.h>
+#include <CGAL/Quad_mesh_adaptation/internal/Kept_shape.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Mesh_keeper.h>
-#include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
 #include <CGAL/Quad_mesh_adaptation/internal/detours.h>
 #include <CGAL/Quad_mesh_adaptation/internal/operators/chord_collapse.h>
 #include <CGAL/Quad_mesh_adaptation/internal/progressive_run.h>
@@ -44,7 +44,7 @@ private:
   {
     const double least = clearly * demerits(s_);
     const Index faces = s_.mesh.number_of_faces();
-    const std::vector<char> kept = curves_that_kept_length(s_);
+    const Kept_shape kept(s_);
     for(const Chord& c : chords()) { // they stay the same while the mesh is restored
       Mesh_keeper before(s_);
       if(take_out(c) && is_better_with_another(faces, least, kept)) return true;
@@ -55,14 +55,13 @@ private:
   }
 
   // After a row has gone: another one in, with less faces than there were.
-  bool is_better_with_another(Index faces, double least, const std::vector<char>& kept)
+  bool is_better_with_another(Index faces, double least, const Kept_shape& kept)
   {
     for(const Chord& c : chords()) {
       if(work_left_ < 0) return false;
       if(s_.mesh.number_of_faces() + Index(c.faces.size()) >= faces) continue;
       Mesh_keeper before(s_);
-      if(put_in(c) && are_sizes_met() && demerits(s_) < least && have_kept_length(s_, kept))
-        return true;
+      if(put_in(c) && are_sizes_met() && demerits(s_) < least && kept.is_kept_by(s_)) return true;
       before.restore();
     }
     return false;
