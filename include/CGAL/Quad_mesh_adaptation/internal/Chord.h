@@ -6,6 +6,7 @@
 
 #include <CGAL/Quad_mesh_adaptation/internal/Quad_complex.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +46,22 @@ inline Chord chord_through(const Quad_complex& m, Index h)
     g = o;
   }
   return c;
+}
+
+// Calls visit(chord, h) for all chords in the order of their first half-edges h.
+template <typename Visit>
+void for_each_chord(const Quad_complex& m, const Visit& visit)
+{
+  std::vector<char> seen(4 * std::size_t(m.face_end()), 0);
+  for(Index h : m.halfedges()) {
+    if(seen[h]) continue;
+    const Chord c = chord_through(m, h);
+    for(Index g : c.rungs) {
+      seen[g] = 1;
+      if(m.opposite(g) >= 0) seen[m.opposite(g)] = 1;
+    }
+    visit(c, h);
+  }
 }
 
 } // namespace internal

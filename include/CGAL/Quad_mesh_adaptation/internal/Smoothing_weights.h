@@ -22,6 +22,22 @@ struct Smoothing_weights
   double min_corner = 0.45;      // no corner measure 2 D / N falls below min(this, worst before)
 };
 
+// While it exists the smoother presses faces within their sizes.
+class Pressing
+{
+public:
+  explicit Pressing(Smoothing_weights& w) : weights_(w), gentle_(w.hinge) { w.hinge = hard; }
+  Pressing(const Pressing&) = delete;
+  Pressing& operator=(const Pressing&) = delete;
+  ~Pressing() { weights_.hinge = gentle_; }
+
+  static constexpr double hard = 2000;
+
+private:
+  Smoothing_weights& weights_;
+  const double gentle_;
+};
+
 } // namespace internal
 } // namespace Quad_mesh_adaptation
 } // namespace CGAL

@@ -51,17 +51,12 @@ private:
     const Quad_complex& m = s_.mesh;
     std::vector<float> ratio(m.face_end(), 0);
     for(Index f : m.faces()) ratio[f] = float(s_.size_ratio(f));
-    std::vector<char> seen(4 * std::size_t(m.face_end()), 0);
     std::vector<std::pair<float, Index>> list; // rounded: equals are told by the order
-    for(Index h : m.halfedges()) {
-      if(seen[h]) continue;
-      const Chord c = chord_through(m, h);
+    for_each_chord(m, [&](const Chord& c, Index h) {
       double width = 0, size = 0;
       bool may_go = true;
       for(Index g : c.rungs) {
-        seen[g] = 1;
         may_go = may_go && s_.is_to_work_on(m.origin(g)) && s_.is_to_work_on(m.target(g));
-        if(m.opposite(g) >= 0) seen[m.opposite(g)] = 1;
         const Vertex_record &u = m.vertex(m.origin(g)), &v = m.vertex(m.target(g));
         width += 2 * distance(u.p, v.p) / (u.h + v.h);
       }
@@ -69,7 +64,7 @@ private:
       width /= double(c.rungs.size());
       if(may_go && size < 0.95 * double(c.faces.size()) && width < 1)
         list.push_back({ float(width), h });
-    }
+    });
     put_in_order(list, s_.order);
     std::stable_sort(list.begin(), list.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });

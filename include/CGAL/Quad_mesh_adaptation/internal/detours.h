@@ -41,12 +41,18 @@ inline double demerits(Adaptation_state& s)
          price * (double(faces_too_large(s).size()) + small);
 }
 
+// A mesh with so much less wrong is worth preferring.
+constexpr double clearly_less = 0.98;
+
 // The same for each face that the sizes ask for.  Meshes within their sizes and without irregular
-// nodes come to 1.1 to 1.2, most others to less than 1.25.
+// nodes come to 1.1 to 1.2.
 inline double relative_demerits(Adaptation_state& s)
 {
   return demerits(s) / (efficiency(s) * double(s.mesh.number_of_faces()));
 }
+
+// Most meshes come to less.
+constexpr double usual_demerits = 1.25;
 
 // Halves all faces, until most are clearly smaller than asked.
 inline void make_finer(Adaptation_state& s)
@@ -81,7 +87,6 @@ public:
   {
     constexpr Index enough_faces = 800, many = 40000;
     constexpr int least = 2, most = 6;
-    constexpr double usual = 1.25;
     const Index faces = s_.mesh.number_of_faces();
     if(are_sizes_out_of_reach(s_)) return; // by any way
     const bool has_few = faces <= few;
@@ -89,7 +94,7 @@ public:
     const int ways = has_few ? std::clamp(int(enough_faces / faces), least, most) : 1;
     for(int way = 0; way < ways; ++way) {
       const double wrong = relative_demerits(s_);
-      if(!(wrong > usual)) return;
+      if(!(wrong > usual_demerits)) return;
       const Start start = start_of_way(way, faces);
       if(is_promising(start, way, wrong)) try_way(start, way / 2, !has_few);
     }
@@ -138,7 +143,7 @@ private:
   // The better of both stays; a face costs `dear` times as much on the way.
   void try_way(Start start, int order, bool with_detours, double dear = 1)
   {
-    const double least = clearly * demerits(s_);
+    const double least = clearly_less * demerits(s_);
     if(!kept_) kept_.emplace(s_);
     best_.emplace(s_);
     Mesh_keeper(given_).restore();
@@ -194,8 +199,6 @@ private:
     constexpr double least = 0.7; // surfaces lose some area where faces are large
     return double(s_.mesh.number_of_faces()) < least * asked_.faces;
   }
-
-  static constexpr double clearly = 0.98;
 
   Adaptation_state& s_;
   std::function<void(bool)> run_;

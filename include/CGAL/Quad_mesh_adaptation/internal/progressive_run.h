@@ -84,16 +84,15 @@ inline void anneal(Adaptation_state& s, Improvement_options o, double tolerance,
 // their size after the first `gentle` ones.
 inline void polish(Adaptation_state& s, const Improvement_options& clean, int rounds, int gentle)
 {
-  const double hinge = s.smoothing.hinge;
+  std::optional<Pressing> within_sizes;
   for(int round = 0; round < rounds; ++round) {
     if(round == gentle) {
-      s.smoothing.hinge = 2000;
+      within_sizes.emplace(s.smoothing);
       s.disturb_all();
     }
     const std::size_t done = clean_up_stirred(s, clean, 6, 4);
     if(done == 0 && round >= 3) break;
   }
-  s.smoothing.hinge = hinge;
 }
 
 // The same after nodes have gone to the bends of their curves; in a large mesh about these only.
@@ -101,10 +100,8 @@ inline void polish_about_bends(Adaptation_state& s, const Improvement_options& c
 {
   if(!is_large(s)) return polish(s, clean, 1, 0);
   const Short_smoothing coarse(s);
-  const double hinge = s.smoothing.hinge;
-  s.smoothing.hinge = 2000;
+  const Pressing within_sizes(s.smoothing);
   clean_up_stirred(s, clean, 6, 4);
-  s.smoothing.hinge = hinge;
 }
 
 // Takes whole rows out that the sizes can do without.

@@ -93,20 +93,12 @@ private:
   // The chords worth splitting, the widest first.
   std::vector<Candidate> candidates() const
   {
-    const Quad_complex& m = s_.mesh;
-    std::vector<char> seen(4 * std::size_t(m.face_end()), 0);
     std::vector<Candidate> list;
-    for(Index h : m.halfedges()) {
-      if(seen[h]) continue;
-      const Chord c = chord_through(m, h);
-      for(Index g : c.rungs) {
-        seen[g] = 1;
-        if(m.opposite(g) >= 0) seen[m.opposite(g)] = 1;
-      }
+    for_each_chord(s_.mesh, [&](const Chord& c, Index h) {
       const double width = steady_width(c);
       if(width > size_tolerance && width < nearly_twice && are_faces_too_large(c))
         list.push_back({ width, h });
-    }
+    });
     std::stable_sort(list.begin(), list.end(),
                      [](const Candidate& a, const Candidate& b) { return a.width > b.width; });
     return list;

@@ -32,17 +32,15 @@ public:
   // As long as one helps and work is left.
   void operator()()
   {
-    while(relative_demerits(s_) > usual && is_any_good()) {
+    while(relative_demerits(s_) > usual_demerits && is_any_good()) {
     }
   }
 
 private:
-  static constexpr double usual = 1.25; // as for detours
-
   // Tries all until one helps.
   bool is_any_good()
   {
-    const double least = clearly * demerits(s_);
+    const double least = clearly_less * demerits(s_);
     const Index faces = s_.mesh.number_of_faces();
     const Kept_shape kept(s_);
     for(const Chord& c : chords()) { // they stay the same while the mesh is restored
@@ -67,20 +65,10 @@ private:
     return false;
   }
 
-  // All of them, in the order of their first half-edges.
   std::vector<Chord> chords() const
   {
-    const Quad_complex& m = s_.mesh;
-    std::vector<char> seen(4 * std::size_t(m.face_end()), 0);
     std::vector<Chord> list;
-    for(Index h : m.halfedges()) {
-      if(seen[h]) continue;
-      list.push_back(chord_through(m, h));
-      for(Index g : list.back().rungs) {
-        seen[g] = 1;
-        if(m.opposite(g) >= 0) seen[m.opposite(g)] = 1;
-      }
-    }
+    for_each_chord(s_.mesh, [&](const Chord& c, Index) { list.push_back(c); });
     return list;
   }
 
@@ -114,16 +102,15 @@ private:
   {
     s_.check_cancelled();
     work_left_ -= double(s_.mesh.number_of_faces());
-    const double hinge = s_.smoothing.hinge;
-    s_.smoothing.hinge = 2000;
-    smooth(s_, 20);
-    s_.smoothing.hinge = hinge;
+    {
+      const Pressing within_sizes(s_.smoothing);
+      smooth(s_, 20);
+    }
     if(faces_too_large(s_).size() > few) return false;
     polish(s_, clean_, 2, 0);
     return faces_too_large(s_).empty();
   }
 
-  static constexpr double clearly = 0.98;
   static constexpr std::size_t few = 2; // for clean-up to see to
 
   Adaptation_state& s_;

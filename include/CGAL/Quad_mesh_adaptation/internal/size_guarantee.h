@@ -239,7 +239,7 @@ inline void enforce_sizes(Adaptation_state& s, const Improvement_options& o, int
     touched.add(large);
     if(round % 4 == 2 && round > 2 && !split(o, large)) break;
     s.smoothing.min_corner = 0.3;
-    s.smoothing.hinge = 2000 * (std::min)(weight, 20.);
+    s.smoothing.hinge = Pressing::hard * (std::min)(weight, 20.);
     s.energy.oversize = energy.oversize * (std::min)(weight, 100.);
     s.forget_energies();
     pressed.keep_within_size = round >= 2;
@@ -250,7 +250,7 @@ inline void enforce_sizes(Adaptation_state& s, const Improvement_options& o, int
     large = faces_to_press(s);
   }
   split.end();
-  s.smoothing.hinge = 2000;
+  s.smoothing.hinge = Pressing::hard;
   settle(s, o, 3, touched);
   s.smoothing = gentle;
 }
