@@ -41,9 +41,6 @@ inline double demerits(Adaptation_state& s)
          price * (double(faces_too_large(s).size()) + small);
 }
 
-// A mesh with so much less wrong is worth preferring.
-constexpr double clearly_less = 0.98;
-
 // The same for each face that the sizes ask for.  Meshes within their sizes and without irregular
 // nodes come to 1.1 to 1.2.
 inline double relative_demerits(Adaptation_state& s)
@@ -51,8 +48,8 @@ inline double relative_demerits(Adaptation_state& s)
   return demerits(s) / (efficiency(s) * double(s.mesh.number_of_faces()));
 }
 
-// Most meshes come to less.
-constexpr double usual_demerits = 1.25;
+constexpr double usual_demerits = 1.25; // most meshes come to less
+constexpr double clearly_less = 0.98;   // worth preferring
 
 // Halves all faces, until most are clearly smaller than asked.
 inline void make_finer(Adaptation_state& s)
