@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace {
@@ -19,6 +20,7 @@ namespace {
 namespace QMA = CGAL::Quad_mesh_adaptation;
 using feature_checks::Quad_distances;
 using QMA::Adaptation_report;
+using shape_zoo::Index;
 using shape_zoo::Quad;
 using shape_zoo::Shape;
 using shape_zoo::Vec;
@@ -132,6 +134,16 @@ TEST(Max_distance, IsKeptBetweenSamples)
     EXPECT_LE(farthest_point(result, cylinder), 1.01 * bound);
     EXPECT_LE(farthest_point(cylinder, result), 1.01 * bound);
   }
+}
+
+// Facets that fold by up to 35 degrees in both directions: what smoothing and operations make of
+// split faces may be farther off than a look at few points tells, again and again.
+TEST(Max_distance, IsKeptOnFolds)
+{
+  const Shape waves = shape_zoo::grid("waves", 16, 16, [](Index i, Index j) {
+    return Vec(0.25 * i, 0.25 * j, 0.15 * std::sin(1.3 * i + 0.4 * j) * std::sin(1.1 * j));
+  });
+  for(double part : { 0.06, 0.045 }) expect_within(waves, 2, part);
 }
 
 // A bound that asks for nothing changes little, and one that does takes more faces.

@@ -10,6 +10,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/shape_mending.h>
 #include <CGAL/Quad_mesh_adaptation/internal/size_guarantee.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -47,20 +48,34 @@ struct Far_faces
   }
 };
 
-// Splits faces that are too far from the reference, until none is, which it tells, or that does not
-// help. What comes after a round of splits is kept within the bound by the guard that all moves and
-// operations pass.
-inline bool split_faces_too_far(Adaptation_state& s, const Improvement_options& careful)
+// The part of the bound that the guard holds after so many rounds of splits.
+inline double guarded_part(int round)
 {
-  constexpr int max_rounds = 12, most_in_vain = 4; // in a row
-  constexpr double guarded = 0.8; // of the bound, since the guard looks at few points
+  constexpr double first = 0.8, last = 0.2, step = 0.1;
+  constexpr int gentle = 3; // rounds, enough in most cases
+  return (std::max)(last, first - step * (std::max)(round + 1 - gentle, 0));
+}
+
+// Splits faces that are too far from the reference, until none is, which it tells, or that does not
+// help.  What comes after a round of splits makes no face too large, and is kept within the bound
+// by the guard that all moves and operations pass.  That looks at few points, and from the faces
+// only; so what it lets pass may be too far nevertheless, and it lets less pass from round to
+// round.
+inline bool split_faces_too_far(Adaptation_state& s, Improvement_options o)
+{
+  constexpr int max_rounds = 16, most_in_vain = 4; // in a row
   const double allowed = s.max_distance;
+  const bool is_kept = s.smoothing.keep_within_size;
+  o.keep_within_size = s.smoothing.keep_within_size = true;
   std::optional<Mesh_keeper> best;
   double least = 0;
   for(int round = 0, in_vain = 0; round < max_rounds; ++round) {
     s.check_cancelled();
     const Far_faces far(s);
-    if(far.faces.empty()) return true;
+    if(far.faces.empty()) {
+      best.reset();
+      break;
+    }
     in_vain = best && far.excess >= 0.9 * least ? in_vain + 1 : 0;
     if(in_vain == most_in_vain) break;
     if(!best || far.excess < least) {
@@ -70,12 +85,14 @@ inline bool split_faces_too_far(Adaptation_state& s, const Improvement_options& 
     s.restless.assign(s.mesh.vertex_end(), 0);
     s.stirred.assign(s.mesh.vertex_end(), 0);
     if(split_too_large(s, far.faces, edges_off_reference) == 0) break;
-    s.limit_distance(guarded * allowed);
+    s.limit_distance(guarded_part(round) * allowed);
     smooth(s, 3);
-    Local_improvement(s, careful).passes(2);
+    Local_improvement(s, o).passes(2);
     smooth(s, 3);
     s.limit_distance(allowed);
   }
+  s.smoothing.keep_within_size = is_kept;
+  if(!best) return true;
   const double excess = Far_faces(s).excess;
   if(excess > least) best->restore();
   return excess == 0;
@@ -87,15 +104,11 @@ inline void mend_distances(Adaptation_state& s, const Improvement_options& o)
 {
   if(!is_distance_limited(s) || Far_faces(s).faces.empty()) return;
   Phase_scope phase(s, "distance bound");
-  Improvement_options careful = o;
-  careful.keep_within_size = true;
-  s.smoothing.keep_within_size = true;
-  const bool within = split_faces_too_far(s, careful);
+  const bool within = split_faces_too_far(s, o);
   Mesh_keeper split(s);
   Places_in_vain in_vain;
   mend_shapes(s, o, 8, in_vain);
-  if(!split_faces_too_far(s, careful) && within) split.restore();
-  s.smoothing.keep_within_size = false;
+  if(!split_faces_too_far(s, o) && within) split.restore();
 }
 
 // With the sizes given, not those lowered for the distance: faces that are larger are pressed upon
