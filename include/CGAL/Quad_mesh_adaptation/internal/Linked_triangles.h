@@ -84,13 +84,16 @@ public:
   }
 
   // To the nearest point from triangle t, or to the first whose squared distance is near enough.
-  // Updates t: the triangle of that point, -1 if the walk is lost.
+  // Updates t: the triangle of that point, -1 if the walk is lost.  Across a fine surface it may
+  // take as many steps as that is wide: to build a tree for a few of them takes as long as
+  // millions.
   Vec walk(const Vec& p, Index& t, double near_enough = 0) const
   {
     const Index start = t;
     auto here = closest_on_triangle(p, triangle(t));
     double d = (p - here.point).squared_length();
-    for(int step = 0; step < 200; ++step) {
+    constexpr std::size_t many = 200;
+    for(std::size_t step = 0; step < many || step * step < triangles_.size(); ++step) {
       if(here.feature == Triangle_feature::inside || d <= near_enough) return here.point;
       const Index next = better_neighbour(p, t, start, here, d);
       if(next < 0) return here.point;
