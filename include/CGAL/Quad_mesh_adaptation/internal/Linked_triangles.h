@@ -85,8 +85,7 @@ public:
 
   // To the nearest point from triangle t, or to the first whose squared distance is near enough.
   // Updates t: the triangle of that point, -1 if the walk is lost.  Across a fine surface it may
-  // take as many steps as that is wide: to build a tree for a few of them takes as long as
-  // millions.
+  // take as many steps as that is wide: to build a tree for a few walks takes far longer.
   Vec walk(const Vec& p, Index& t, double near_enough = 0) const
   {
     const Index start = t;
