@@ -223,19 +223,18 @@ private:
   // Returns the distance, or something that does not matter.
   double measure_back(Vec p, Index t, Index& hint)
   {
-    const Vec direction = s_.surface.normal(t);
     p = s_.surface.lifted(p, t);
-    if(hint < 0) hint = mesh_.find(p, -1, direction);
+    if(hint < 0) hint = mesh_.find(p, -1, s_.surface.normal(t));
     const double enough = by_face_.enough(largest_);
     double d = mesh_.distance_from(p, enough_at_sample(), hint);
     if(!by_face_.is_careful() && !asks_tree_) {
       if(!(d > enough)) return d;
       d = walked_anew(p, t, d, hint);
-      largest_.doubt(d, p, -1, direction);
+      largest_.doubt(d, p, -1, s_.surface.normal(t));
       return d;
     }
     if(d > enough && !(by_face_.is_careful() && d <= by_face_[face_of_[hint / 2]])) {
-      Index nearer = mesh_.find_nearer(p, -1, direction, d);
+      Index nearer = mesh_.find_nearer(p, -1, s_.surface.normal(t), d);
       if(nearer >= 0) {
         d = (std::min)(d, distance(p, mesh_.project(p, nearer)));
         hint = nearer;

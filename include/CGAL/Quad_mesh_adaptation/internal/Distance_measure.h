@@ -45,8 +45,12 @@ public:
     if(s_.surface.is_planar()) return;
     is_own_ = faces_with_own_triangles(s_);
     use(own);
-    measure_faces();
-    Distance_from_reference(s_, is_own_, by_face_, from_reference_, between)();
+    Distance_from_reference measure_back(s_, is_own_, by_face_, from_reference_, between);
+    // neither knows of the other, but for what is noted of each face
+    Workers one_by_one;
+    (by_face_.is_careful() ? one_by_one : s_.workers).run(2, [&](std::size_t i) {
+      i == 0 ? measure_faces() : measure_back();
+    });
   }
 
   // No face needs care.

@@ -84,13 +84,15 @@ public:
   }
 
   // To the nearest point from triangle t, or to the first whose squared distance is near enough.
-  // Updates t: the triangle of that point, -1 if the walk is lost.
+  // Updates t: the triangle of that point, -1 if the walk is lost.  Across a fine surface it may
+  // take as many steps as that is wide: to build a tree for a few walks takes far longer.
   Vec walk(const Vec& p, Index& t, double near_enough = 0) const
   {
     const Index start = t;
     auto here = closest_on_triangle(p, triangle(t));
     double d = (p - here.point).squared_length();
-    for(int step = 0; step < 200; ++step) {
+    constexpr std::size_t many = 200;
+    for(std::size_t step = 0; step < many || step * step < triangles_.size(); ++step) {
       if(here.feature == Triangle_feature::inside || d <= near_enough) return here.point;
       const Index next = better_neighbour(p, t, start, here, d);
       if(next < 0) return here.point;
@@ -101,11 +103,14 @@ public:
   }
 
 private:
-  Vec computed_normal(Index t) const
+  // Twice that.
+  Vec area_vector(Index t) const
   {
     const auto c = triangle(t);
-    return normalized(cross(c[1] - c[0], c[2] - c[0]));
+    return cross(c[1] - c[0], c[2] - c[0]);
   }
+
+  Vec computed_normal(Index t) const { return normalized(area_vector(t)); }
 
   // The neighbour of t, across the edge or round the corner that `here` lies on, that is nearer
   // to p; updates here and d.  -1 if there is none.
@@ -137,11 +142,19 @@ private:
     const auto there = closest_on_triangle(p, triangle(n));
     const double dn = (p - there.point).squared_length();
     if(!(dn < enough)) return false;
-    // round a thin edge to the other side; a right angle, as of a box, is still allowed
-    if(kind_of_normals_ != Normals::none && normal(n) * normal(start) < -0.2) return false;
+    if(kind_of_normals_ != Normals::none && is_turned(n, start)) return false;
     here = there;
     d = dn;
     return true;
+  }
+
+  // Is one of two triangles round a thin edge, on the other side?  A right angle, as of a box, is
+  // still allowed.
+  bool is_turned(Index t, Index u) const
+  {
+    if(kind_of_normals_ == Normals::kept) return normals_[t] * normals_[u] < -0.2;
+    const Vec a = area_vector(t), b = area_vector(u);
+    return !(a * b > 0) && normalized(a) * normalized(b) < -0.2; // few need roots
   }
 
   int corner_index(Index t, Index v) const

@@ -74,12 +74,7 @@ public:
     const Index faces = m.face_end();
     make_room();
     middle_.assign(4 * std::size_t(faces), -1);
-    for(Index h = 0; h < 4 * faces; ++h) {
-      const Index o = m.opposite(h);
-      if(!m.is_face(m.face(h)) || !split_[h] || (o >= 0 && o < h)) continue;
-      middle_[h] = m.add_vertex(edge_middle(s_, h));
-      if(o >= 0) middle_[o] = middle_[h];
-    }
+    add_middles();
     std::size_t cut = 0;
     for(Index f = 0; f < faces; ++f)
       if(m.is_face(f) && cut_face(f)) ++cut;
@@ -112,6 +107,33 @@ private:
     nodes += std::size_t(m.vertex_end()) + sides / 2;
     faces += std::size_t(m.face_end());
     m.make_room(nodes, faces);
+  }
+
+  // In blocks, each of which is placed side by side before its nodes are added in order.
+  void add_middles()
+  {
+    constexpr std::size_t block = 4096, part = 64;
+    const Quad_complex& m = s_.mesh;
+    std::vector<Index> edges;
+    for(Index h = 0; h < 4 * m.face_end(); ++h) {
+      const Index o = m.opposite(h);
+      if(m.is_face(m.face(h)) && split_[h] && (o < 0 || o > h)) edges.push_back(h);
+      if(edges.size() < block && h + 1 < 4 * m.face_end()) continue;
+      std::vector<Vertex_record> nodes(edges.size());
+      s_.workers.run((edges.size() + part - 1) / part, [&](std::size_t k) {
+        const std::size_t last = (std::min)((k + 1) * part, edges.size());
+        for(std::size_t i = k * part; i < last; ++i) nodes[i] = edge_middle(s_, edges[i]);
+      });
+      for(std::size_t i = 0; i < edges.size(); ++i) add_middle(edges[i], nodes[i]);
+      edges.clear();
+    }
+  }
+
+  void add_middle(Index h, const Vertex_record& r)
+  {
+    const Index o = s_.mesh.opposite(h);
+    middle_[h] = s_.mesh.add_vertex(r);
+    if(o >= 0) middle_[o] = middle_[h];
   }
 
   bool cut_face(Index f)
