@@ -146,6 +146,20 @@ TEST(Max_distance, IsKeptOnFolds)
   for(double part : { 0.06, 0.045 }) expect_within(waves, 2, part);
 }
 
+// Where it can not be kept the report tells of a distance that is larger, not only of the faces.
+TEST(Max_distance, WhereItIsMissedTheReportSaysByHowMuch)
+{
+  const Shape folds = shape_zoo::grid("folds", 7, 7, [](Index i, Index j) {
+    return Vec(0.25 * i, 0.25 * j, 0.6 * std::sin(1.9 * i + 0.4 * j) * std::sin(1.7 * j));
+  });
+  Mesh mesh = zoo_mesh::make<Mesh, Point>(folds);
+  constexpr double bound = 0.01;
+  const Adaptation_report report = QMA::adapt_quad_mesh(0.5, mesh, QMA::max_distance(bound));
+  ASSERT_FALSE(report.faces_too_far.empty()); // there are facets that turn by a right angle
+  EXPECT_EQ(report.status, QMA::Adaptation_status::sizes_not_met);
+  EXPECT_GT((std::max)(report.after.mesh_to_reference, report.after.reference_to_mesh), bound);
+}
+
 // A bound that asks for nothing changes little, and one that does takes more faces.
 TEST(Max_distance, TakesFacesWhereItMust)
 {

@@ -158,7 +158,7 @@ CGAL_QUAD_MESH_ADAPTATION_CORE_CALL void Core_run::judge()
   large_ = faces_too_large(s_, largest_allowed(run.aim));
   judge_sizes(report_, kind_.is_paper, run.aim, large_.size());
   advise_on_features(s_, report_);
-  far_ = run.bound->faces_too_far();
+  far_ = run.bound->faces_too_far(report_.after);
   judge_distances(report_, run.bound->allowed(), far_.size());
   poor_ = poor_faces_of(s_, report_.after);
   s_.forget_surface(); // its memory is needed to write

@@ -4,6 +4,7 @@
 #ifndef CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_BOUND_H
 #define CGAL_QUAD_MESH_ADAPTATION_INTERNAL_DISTANCE_BOUND_H
 
+#include <CGAL/Quad_mesh_adaptation/Mesh_measures.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_limit.h>
 
 #include <algorithm>
@@ -57,19 +58,29 @@ public:
     s_.renew_sizes();
   }
 
-  std::vector<Index> faces_too_far() const
+  // The faces that are too far off, looked at more closely than for the distances of the report,
+  // which are raised then.
+  std::vector<Index> faces_too_far(Mesh_measures& report) const
   {
     std::vector<Index> list;
     if(!is_asked_for()) return list;
     const Distance_measure distances(s_, allowed_);
     for(Index f : s_.mesh.faces())
       if(distances.of(f) > allowed_) list.push_back(f);
+    raise(report.mesh_to_reference, distances.to_reference());
+    raise(report.reference_to_mesh, distances.from_reference());
     return list;
   }
 
   bool is_asked_for() const { return std::isfinite(allowed_); }
 
 private:
+  // Those within the bound may be too much.
+  void raise(double& reported, double found) const
+  {
+    if(found > allowed_) reported = (std::max)(reported, found);
+  }
+
   Adaptation_state& s_;
   double allowed_;
   std::unique_ptr<Distance_limit> limit_;
