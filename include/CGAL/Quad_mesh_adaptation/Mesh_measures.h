@@ -76,7 +76,8 @@ struct Mesh_measures
   // distance of the vertices to the reference surface, 0 where there is none
   double max_distance_to_reference = 0;
   // the same both ways: of points of the faces (seen as bilinear) to the reference surface and its
-  // curves, and of points of these to the faces; 0 where there is none
+  // curves, and of points of these to the faces; 0 where there is none.  Where a bound was asked
+  // for and is missed, more points are looked at
   double mesh_to_reference = 0, reference_to_mesh = 0;
 };
 

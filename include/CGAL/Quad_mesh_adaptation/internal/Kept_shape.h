@@ -7,6 +7,7 @@
 #include <CGAL/Quad_mesh_adaptation/internal/Adaptation_state.h>
 #include <CGAL/Quad_mesh_adaptation/internal/Distance_measure.h>
 #include <CGAL/Quad_mesh_adaptation/internal/curve_lengths.h>
+#include <CGAL/Quad_mesh_adaptation/internal/face_energy.h>
 
 #include <algorithm>
 #include <vector>
@@ -27,18 +28,17 @@ public:
   {
   }
 
-  bool is_kept_by(const Adaptation_state& s) const
+  // Does a mesh that is better otherwise keep it?  Then it is preferred, and others are compared
+  // with that from now on; small losses do not add up.
+  bool accepts(const Adaptation_state& s)
   {
     constexpr double much = 1.5, little = 0.25; // of an edge
-    return have_kept_length(s, curves_) &&
-           distance_left_behind(s) <= (std::max)(much * left_behind_, little * mean_edge_);
-  }
-
-  // A mesh that keeps it has been preferred; small losses do not add up.
-  void update(const Adaptation_state& s)
-  {
+    if(!have_kept_length(s, curves_)) return false;
+    const double now = distance_left_behind(s);
+    if(now > (std::max)(much * left_behind_, little * mean_edge_)) return false;
     curves_ = curves_that_kept_length(s);
-    left_behind_ = (std::min)(left_behind_, distance_left_behind(s));
+    left_behind_ = (std::min)(left_behind_, now);
+    return true;
   }
 
 private:

@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  // Twice that.
+  // Twice as long as the triangle is large.
   Vec area_vector(Index t) const
   {
     const auto c = triangle(t);

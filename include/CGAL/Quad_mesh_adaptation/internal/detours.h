@@ -156,10 +156,7 @@ private:
     s_.forget_energies();
     s_.order = 0;
     // a coarser start leaves nodes beside the bends of curves; they do not always find back
-    if(demerits(s_) >= least || misses_sizes() || !kept_->is_kept_by(s_))
-      best_->restore();
-    else
-      kept_->update(s_);
+    if(demerits(s_) >= least || misses_sizes() || !kept_->accepts(s_)) best_->restore();
   }
 
   // From a mesh for twice the sizes: it has too few faces, and none where they do no good.  The

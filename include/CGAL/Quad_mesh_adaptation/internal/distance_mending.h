@@ -57,25 +57,19 @@ inline double guarded_part(int round)
 }
 
 // Splits faces that are too far from the reference, until none is, which it tells, or that does not
-// help.  What comes after a round of splits makes no face too large, and is kept within the bound
-// by the guard that all moves and operations pass.  That looks at few points, and from the faces
-// only; so what it lets pass may be too far nevertheless, and it lets less pass from round to
-// round.
-inline bool split_faces_too_far(Adaptation_state& s, Improvement_options o)
+// help.  What comes after a round of splits is kept within the bound by the guard that all moves
+// and operations pass.  That looks at few points, and from the faces only; so what it lets pass may
+// be too far nevertheless, and it lets less pass from round to round.
+inline bool split_in_rounds(Adaptation_state& s, const Improvement_options& o)
 {
   constexpr int max_rounds = 16, most_in_vain = 4; // in a row
   const double allowed = s.max_distance;
-  const bool is_kept = s.smoothing.keep_within_size;
-  o.keep_within_size = s.smoothing.keep_within_size = true;
   std::optional<Mesh_keeper> best;
   double least = 0;
   for(int round = 0, in_vain = 0; round < max_rounds; ++round) {
     s.check_cancelled();
     const Far_faces far(s);
-    if(far.faces.empty()) {
-      best.reset();
-      break;
-    }
+    if(far.faces.empty()) return true;
     in_vain = best && far.excess >= 0.9 * least ? in_vain + 1 : 0;
     if(in_vain == most_in_vain) break;
     if(!best || far.excess < least) {
@@ -91,11 +85,19 @@ inline bool split_faces_too_far(Adaptation_state& s, Improvement_options o)
     smooth(s, 3);
     s.limit_distance(allowed);
   }
-  s.smoothing.keep_within_size = is_kept;
-  if(!best) return true;
   const double excess = Far_faces(s).excess;
   if(excess > least) best->restore();
   return excess == 0;
+}
+
+// The same, where no face becomes too large by what follows the splits.
+inline bool split_faces_too_far(Adaptation_state& s, Improvement_options o)
+{
+  const bool is_kept = s.smoothing.keep_within_size;
+  o.keep_within_size = s.smoothing.keep_within_size = true;
+  const bool is_done = split_in_rounds(s, o);
+  s.smoothing.keep_within_size = is_kept;
+  return is_done;
 }
 
 // The last resort where faces are farther from the reference than allowed, with shapes mended then;

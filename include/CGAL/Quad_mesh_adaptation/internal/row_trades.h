@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -42,10 +43,10 @@ private:
   {
     const double least = clearly_less * demerits(s_);
     const Index faces = s_.mesh.number_of_faces();
-    const Kept_shape kept(s_);
+    if(!kept_) kept_.emplace(s_);
     for(const Chord& c : chords()) { // they stay the same while the mesh is restored
       Mesh_keeper before(s_);
-      if(take_out(c) && is_better_with_another(faces, least, kept)) return true;
+      if(take_out(c) && is_better_with_another(faces, least)) return true;
       before.restore();
       if(work_left_ < 0) return false;
     }
@@ -53,13 +54,13 @@ private:
   }
 
   // After a row has gone: another one in, with less faces than there were.
-  bool is_better_with_another(Index faces, double least, const Kept_shape& kept)
+  bool is_better_with_another(Index faces, double least)
   {
     for(const Chord& c : chords()) {
       if(work_left_ < 0) return false;
       if(s_.mesh.number_of_faces() + Index(c.faces.size()) >= faces) continue;
       Mesh_keeper before(s_);
-      if(put_in(c) && are_sizes_met() && demerits(s_) < least && kept.is_kept_by(s_)) return true;
+      if(put_in(c) && are_sizes_met() && demerits(s_) < least && kept_->accepts(s_)) return true;
       before.restore();
     }
     return false;
@@ -115,7 +116,8 @@ private:
 
   Adaptation_state& s_;
   const Improvement_options clean_;
-  double work_left_ = 5000; // faces in all trials
+  std::optional<Kept_shape> kept_; // by all trades so far
+  double work_left_ = 5000;        // faces in all trials
 };
 
 } // namespace internal
